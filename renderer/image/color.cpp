@@ -1,0 +1,316 @@
+#include "renderer/image/color.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+#include "embedded_color.h"
+#include "renderer/base/file.h"
+#include "renderer/base/log.h"
+#include "renderer/image/reason.h"
+
+namespace OCIO = OCIO_NAMESPACE;
+
+namespace pileus::image {
+namespace {
+
+// Everything OpenColorIO does without loss, so that the CPU and the GPU form agree; LUTs are inverted the same way in both.
+constexpr auto kOptimization = static_cast<OCIO::OptimizationFlags>(
+    OCIO::OPTIMIZATION_LOSSLESS | OCIO::OPTIMIZATION_LUT_INV_FAST | OCIO::OPTIMIZATION_NO_DYNAMIC_PROPERTIES);
+
+struct Display {
+  std::string name;
+  std::string defaultView;
+  std::vector<std::string> views;
+};
+
+/// How ACEScg pixels enter the config.
+struct Source {
+  std::string space;           ///< of the config
+  bool fromAces2065 = false;   ///< `space` is ACES2065-1: a built-in ACEScg -> ACES2065-1 goes first
+  std::string note;            ///< for the description where colours are not exact
+};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool namesAcesCg(const std::string& name) {
+  const std::string n = lower(name);
+  return n == "acescg" || n == "lin_ap1" || n == "aces - acescg" || n == "linear acescg" || n == "acescg - linear" ||
+         n == "lin_acescg" || n == "utility - linear - ap1";
+}
+
+bool isAcesCg(const OCIO::ConstColorSpaceRcPtr& space) {
+  if (!space || space->isData()) return false;
+  if (namesAcesCg(space->getName())) return true;
+  for (std::size_t i = 0; i < space->getNumAliases(); ++i)
+    if (namesAcesCg(space->getAlias(i))) return true;
+  return false;
+}
+
+Source chooseSource(const OCIO::Config& config) {
+  const auto sceneLinear = config.getColorSpace(OCIO::ROLE_SCENE_LINEAR);
+  if (isAcesCg(sceneLinear)) return {sceneLinear->getName(), false, ""};
+  const int count = config.getNumColorSpaces(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL);
+  for (int i = 0; i < count; ++i) {
+    const char* name = config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, i);
+    if (const auto space = config.getColorSpace(name); isAcesCg(space)) return {space->getName(), false, ""};
+  }
+  if (const auto aces = config.getColorSpace("aces_interchange"); aces) return {aces->getName(), true, ""};
+  if (sceneLinear)
+    return {sceneLinear->getName(), false,
+            fmt::format("it has no ACEScg and no aces_interchange role, so colours are taken as '{}'", sceneLinear->getName())};
+  const std::string first = count > 0 ? config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, 0) : "";
+  return {first, false, fmt::format("it has no scene_linear role, so colours are taken as '{}'", first)};
+}
+
+/// OpenColorIO's own refusal speaks of its versions only; this says what to do.
+Result<void> checkProfile(const std::string& name, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  const std::string key = "ocio_profile_version:";
+  while (std::getline(lines, line)) {
+    if (line.compare(0, key.size(), key) != 0) continue;
+    int major = 0, minor = 0;
+    const int found = std::sscanf(line.c_str() + key.size(), "%9d.%9d", &major, &minor);
+    const int library = OCIO::GetVersionHex(), libraryMajor = library >> 24, libraryMinor = (library >> 16) & 0xff;
+    if (found >= 1 && std::pair(major, minor) > std::pair(libraryMajor, libraryMinor))
+      return fail(Code::Input,
+                  "{}: the colour config has profile version {}.{}, newer than this build's OpenColorIO {}, which reads up to {}.{}; "
+                  "use a config written for {}.{} or older",
+                  name, major, minor, OCIO::GetVersion(), libraryMajor, libraryMinor, libraryMajor, libraryMinor);
+    return {};
+  }
+  return fail(Code::Input, "{}: not an OpenColorIO config (no line 'ocio_profile_version:')", name);
+}
+
+void forwardLibraryLog() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    OCIO::SetLoggingFunction([](const char* message) { log::info("{}", clampReason(message ? message : "")); });
+  });
+}
+
+std::string quotedList(const std::vector<std::string>& names) {
+  return names.empty() ? std::string("(none)") : fmt::format("'{}'", fmt::join(names, "', '"));
+}
+
+void addTextures(const OCIO::GpuShaderDesc& shader, std::vector<LutTexture>& out) {
+  const char *name = nullptr, *sampler = nullptr;
+  const float* values = nullptr;
+  OCIO::Interpolation interpolation{};
+  for (unsigned i = 0; i < shader.getNum3DTextures(); ++i) {
+    unsigned edge = 0;
+    shader.get3DTexture(i, name, sampler, edge, interpolation);
+    shader.get3DTextureValues(i, values);
+    const std::size_t count = std::size_t(3) * edge * edge * edge;
+    out.push_back({sampler, 3, ivec3(static_cast<int>(edge)), 3, interpolation != OCIO::INTERP_NEAREST, {values, values + count}});
+  }
+  for (unsigned i = 0; i < shader.getNumTextures(); ++i) {
+    unsigned width = 0, height = 0;
+    OCIO::GpuShaderDesc::TextureType type{};
+    shader.getTexture(i, name, sampler, width, height, type, interpolation);
+    shader.getTextureValues(i, values);
+    const int channels = type == OCIO::GpuShaderDesc::TEXTURE_RED_CHANNEL ? 1 : 3;
+    const std::size_t count = static_cast<std::size_t>(channels) * width * height;
+    // A LUT longer than a texture row is folded into rows; OpenColorIO declares a sampler2D for those only.
+    out.push_back({sampler, height > 1 ? 2 : 1, ivec3(static_cast<int>(width), static_cast<int>(height), 1), channels,
+                   interpolation != OCIO::INTERP_NEAREST, {values, values + count}});
+  }
+}
+
+}  // namespace
+
+struct ColorConfig::Impl {
+  OCIO::ConstConfigRcPtr config;
+  std::string description;
+  Source source;
+  std::vector<Display> displays;
+
+  mutable std::mutex mutex;  // guards the two caches
+  mutable std::map<std::pair<std::string, std::string>, OCIO::ConstProcessorRcPtr> processors;
+  mutable std::map<std::pair<std::string, std::string>, GpuTransform> gpuTransforms;
+
+  const Display* display(const std::string& name) const {
+    const auto it = std::find_if(displays.begin(), displays.end(), [&](const Display& d) { return d.name == name; });
+    return it == displays.end() ? nullptr : &*it;
+  }
+
+  using Choice = std::pair<std::string, std::string>;
+  Result<Choice> choose(const std::string& displayName, const std::string& viewName) const {
+    const Display* d = displayName.empty() ? &displays.front() : display(displayName);
+    if (!d) {
+      std::vector<std::string> names;
+      for (const Display& each : displays) names.push_back(each.name);
+      return fail(Code::Arguments, "there is no display '{}'; the colour config has {}", displayName, quotedList(names));
+    }
+    if (viewName.empty()) return Choice(d->name, d->defaultView);
+    if (std::find(d->views.begin(), d->views.end(), viewName) == d->views.end())
+      return fail(Code::Arguments, "there is no view '{}' for display '{}'; the colour config has {}", viewName, d->name,
+                  quotedList(d->views));
+    return Choice(d->name, viewName);
+  }
+
+  Error failed(const Choice& choice, const std::exception& e) const {
+    return fail(Code::Input, "{}: view '{}' of display '{}' cannot be made: {}", description, choice.second, choice.first,
+                clampReason(e.what()));
+  }
+
+  /// May throw OCIO::Exception. The mutex is held.
+  OCIO::ConstProcessorRcPtr processor(const Choice& choice) const {
+    if (auto it = processors.find(choice); it != processors.end()) return it->second;
+    auto toView = OCIO::DisplayViewTransform::Create();
+    toView->setSrc(source.space.c_str());
+    toView->setDisplay(choice.first.c_str());
+    toView->setView(choice.second.c_str());
+    auto group = OCIO::GroupTransform::Create();
+    if (source.fromAces2065) {
+      auto toAces = OCIO::BuiltinTransform::Create();
+      toAces->setStyle("ACEScg_to_ACES2065-1");
+      group->appendTransform(toAces);
+    }
+    group->appendTransform(toView);
+    return processors[choice] = config->getProcessor(group);
+  }
+};
+
+ColorConfig::ColorConfig(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ColorConfig::~ColorConfig() = default;
+
+Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& path) {
+  forwardLibraryLog();
+  std::string file = path, name = path;
+  if (const char* variable = std::getenv("OCIO"); file.empty() && variable && *variable) {
+    file = variable;
+    name = file + " ($OCIO)";
+  }
+  if (file.rfind("ocio://", 0) == 0)
+    return fail(Code::Input, "{}: configs inside the library need OpenColorIO 2.2, this build has {}; give a file, or nothing for the shipped config",
+                name, OCIO::GetVersion());
+  auto impl = std::make_unique<Impl>();
+  try {
+    if (file.empty()) {
+      name = "Pileus (ACEScg)";
+      const auto files = embedded_color();
+      const auto shipped = std::find_if(files.begin(), files.end(), [](const EmbeddedFile& f) { return f.path == "pileus.ocio"; });
+      if (shipped == files.end()) return fail(Code::Internal, "the shipped colour config is not part of this build");
+      std::istringstream stream{std::string(shipped->bytes)};
+      impl->config = OCIO::Config::CreateFromStream(stream);
+    } else {
+      PILEUS_TRY(const std::string text, readFile(file, std::size_t(64) << 20));
+      PILEUS_CHECK(checkProfile(name, text));
+      impl->config = OCIO::Config::CreateFromFile(file.c_str());
+    }
+    const OCIO::Config& config = *impl->config;
+    impl->source = chooseSource(config);
+    impl->description = impl->source.note.empty() ? name : name + ": " + impl->source.note;
+    const std::string first = config.getDefaultDisplay();
+    for (int d = 0; d < config.getNumDisplays(); ++d) {
+      Display display{config.getDisplay(d), config.getDefaultView(config.getDisplay(d)), {}};
+      for (int v = 0; v < config.getNumViews(display.name.c_str()); ++v)
+        display.views.emplace_back(config.getView(display.name.c_str(), v));
+      if (display.views.empty()) continue;
+      const bool isFirst = display.name == first;
+      impl->displays.insert(isFirst ? impl->displays.begin() : impl->displays.end(), std::move(display));
+    }
+  } catch (const std::exception& e) {
+    return fail(Code::Input, "{}: not a usable colour config: {}", name, clampReason(e.what()));
+  }
+  if (impl->displays.empty()) return fail(Code::Input, "{}: the colour config has no display with a view", name);
+  if (impl->source.space.empty()) return fail(Code::Input, "{}: the colour config has no colour spaces", name);
+  try {
+    impl->config->validate();
+  } catch (const std::exception& e) {
+    // Studios live with configs that are not whole; a view that is broken says so when it is chosen.
+    log::info("{}: the colour config is used although it does not validate: {}", name, clampReason(e.what()));
+  }
+  return std::shared_ptr<const ColorConfig>(new ColorConfig(std::move(impl)));
+}
+
+std::string ColorConfig::description() const { return impl_->description; }
+
+std::vector<std::string> ColorConfig::displays() const {
+  std::vector<std::string> names;
+  for (const Display& d : impl_->displays) names.push_back(d.name);
+  return names;
+}
+
+std::vector<std::string> ColorConfig::views(const std::string& display) const {
+  const Display* d = display.empty() ? &impl_->displays.front() : impl_->display(display);
+  return d ? d->views : std::vector<std::string>{};
+}
+
+std::string ColorConfig::defaultDisplay() const { return impl_->displays.front().name; }
+
+std::string ColorConfig::defaultView(const std::string& display) const {
+  const Display* d = display.empty() ? &impl_->displays.front() : impl_->display(display);
+  return d ? d->defaultView : std::string{};
+}
+
+std::string ColorConfig::workingSpace() const { return impl_->source.space; }
+
+Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const std::string& view) const {
+  PILEUS_TRY(const auto choice, impl_->choose(display, view));
+  const std::lock_guard lock(impl_->mutex);
+  if (auto it = impl_->gpuTransforms.find(choice); it != impl_->gpuTransforms.end()) return it->second;
+  try {
+    auto shader = OCIO::GpuShaderDesc::CreateShaderDesc();
+    shader->setLanguage(OCIO::GPU_LANGUAGE_GLSL_4_0);
+    shader->setFunctionName("ocioDisplay");
+    shader->setResourcePrefix("ocio_");
+    impl_->processor(choice)->getOptimizedGPUProcessor(kOptimization)->extractGpuShaderInfo(shader);
+    if (shader->getNumUniforms() != 0)
+      return fail(Code::Input, "{}: view '{}' of display '{}' has {} live parameters, which Pileus does not drive", impl_->description,
+                  choice.second, choice.first, shader->getNumUniforms());
+    GpuTransform out;
+    out.glsl = shader->getShaderText();
+    addTextures(*shader, out.textures);
+    Hasher hash;
+    hash.add(out.glsl);
+    for (const LutTexture& t : out.textures) {
+      hash.add(t.sampler).add(t.dimensions).add(t.size.x).add(t.size.y).add(t.size.z).add(t.channels).add(t.linear);
+      hash.bytes(t.texels.data(), t.texels.size() * sizeof(float));
+    }
+    out.key = hash.key();
+    return impl_->gpuTransforms[choice] = std::move(out);
+  } catch (const std::exception& e) {
+    return impl_->failed(choice, e);
+  }
+}
+
+Result<void> ColorConfig::applyCpu(const std::string& display, const std::string& view, float* rgba, std::size_t pixels) const {
+  PILEUS_TRY(const auto choice, impl_->choose(display, view));
+  try {
+    OCIO::ConstCPUProcessorRcPtr cpu;
+    {
+      const std::lock_guard lock(impl_->mutex);
+      cpu = impl_->processor(choice)->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, kOptimization);
+    }
+    constexpr std::size_t kBlock = 4096;
+    tbb::parallel_for(std::size_t(0), (pixels + kBlock - 1) / kBlock, [&](std::size_t block) {
+      float* first = rgba + block * kBlock * 4;
+      const std::size_t count = std::min(kBlock, pixels - block * kBlock);
+      std::array<float, kBlock> alpha;
+      for (std::size_t i = 0; i < count; ++i) alpha[i] = first[i * 4 + 3];
+      OCIO::PackedImageDesc desc(first, static_cast<long>(count), 1, 4);
+      cpu->apply(desc);
+      for (std::size_t i = 0; i < count; ++i) first[i * 4 + 3] = alpha[i];
+    });
+  } catch (const std::exception& e) {
+    return impl_->failed(choice, e);
+  }
+  return {};
+}
+
+}  // namespace pileus::image

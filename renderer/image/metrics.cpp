@@ -1,0 +1,107 @@
+#include "renderer/image/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pileus::image {
+namespace {
+
+const char* componentName(int channels, int component) {
+  static constexpr const char* kColor[] = {"R", "G", "B", "A"};
+  return channels == 1 ? "Y" : kColor[component];
+}
+
+const Layer& beauty(const Image& image) {
+  const Layer* layer = image.layer("");
+  return layer ? *layer : image.layers.front();
+}
+
+/// |a - b|; values that are not finite are equal to their like and infinitely far from everything else.
+double distance(float a, float b) {
+  if (std::isfinite(a) && std::isfinite(b)) return std::abs(double(a) - double(b));
+  const bool same = (std::isnan(a) && std::isnan(b)) || a == b;
+  return same ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+Result<void> checkComparable(const Image& a, const Image& b) {
+  if (a.size != b.size)
+    return fail(Code::Input, "the pictures differ in size: {} x {} and {} x {}", a.size.x, a.size.y, b.size.x, b.size.y);
+  if (a.dataOrigin != b.dataOrigin)
+    return fail(Code::Input, "the pictures' data windows begin at ({}, {}) and ({}, {})", a.dataOrigin.x, a.dataOrigin.y,
+                b.dataOrigin.x, b.dataOrigin.y);
+  if (a.layers.empty() || b.layers.empty()) return fail(Code::Input, "a picture without layers cannot be compared");
+  const auto missing = [](const Image& one, const Image& other, const char* which) -> Result<void> {
+    for (const Layer& layer : one.layers) {
+      const Layer* twin = other.layer(layer.name);
+      const std::string name = layer.name.empty() ? "the beauty layer" : "layer '" + layer.name + "'";
+      if (!twin) return fail(Code::Input, "the {} picture has {}, the other does not", which, name);
+      if (twin->channels != layer.channels)
+        return fail(Code::Input, "{} has {} channels in the {} picture and {} in the other", name, layer.channels, which, twin->channels);
+    }
+    return {};
+  };
+  PILEUS_CHECK(missing(a, b, "first"));
+  return missing(b, a, "second");
+}
+
+ChannelDifference channelDifference(const Layer& a, const Layer& b, int component) {
+  ChannelDifference out;
+  out.channel = (a.name.empty() ? "" : a.name + ".") + componentName(a.channels, component);
+  const auto stride = static_cast<std::size_t>(a.channels);
+  double sum = 0, squares = 0;
+  for (std::size_t i = static_cast<std::size_t>(component); i < a.pixels.size(); i += stride) {
+    const double d = distance(a.pixels[i], b.pixels[i]);
+    sum += d;
+    squares += d * d;
+    out.maximum = std::max(out.maximum, d);
+  }
+  const double pixels = static_cast<double>(a.pixels.size() / stride);
+  out.mean = sum / pixels;
+  out.rmse = std::sqrt(squares / pixels);
+  return out;
+}
+
+/// `covered`: only pixels with reference alpha > 0.01. Nothing if there are none.
+std::optional<double> relativeMse(const Layer& a, const Layer& b, bool covered) {
+  const auto stride = static_cast<std::size_t>(a.channels), colors = std::min<std::size_t>(stride, 3);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < a.pixels.size(); first += stride) {
+    if (covered && stride == 4 && !(b.pixels[first + 3] > 0.01f)) continue;
+    for (std::size_t c = 0; c < colors; ++c) {
+      const double d = distance(a.pixels[first + c], b.pixels[first + c]), reference = double(b.pixels[first + c]);
+      if (d > 0.0) sum += std::isfinite(d) ? d * d / (reference * reference + 0.01) : d;
+      ++count;
+    }
+  }
+  if (count == 0) return std::nullopt;
+  return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+Result<Difference> compare(const Image& a, const Image& b) {
+  PILEUS_CHECK(checkComparable(a, b));
+  Difference out;
+  const Layer& reference = beauty(b);
+  double squares = 0;
+  int colors = 0;
+  for (const Layer& layer : b.layers)
+    for (int c = 0; c < layer.channels; ++c) {
+      out.channels.push_back(channelDifference(*a.layer(layer.name), layer, c));
+      const ChannelDifference& channel = out.channels.back();
+      out.maximum = std::max(out.maximum, channel.maximum);
+      if (&layer != &reference || c >= 3) continue;
+      squares += channel.rmse * channel.rmse;
+      ++colors;
+    }
+  out.rmse = std::sqrt(squares / colors);
+  const Layer& picture = *a.layer(reference.name);
+  const auto covered = relativeMse(picture, reference, true);
+  // A wholly transparent reference must not make everything equal to it.
+  out.relMse = covered ? *covered : relativeMse(picture, reference, false).value_or(0.0);
+  return out;
+}
+
+}  // namespace pileus::image

@@ -208,8 +208,9 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& 
       std::istringstream stream{std::string(shipped->bytes)};
       impl->config = OCIO::Config::CreateFromStream(stream);
     } else {
-      PILEUS_TRY(const std::string text, readFile(file, std::size_t(64) << 20));
-      PILEUS_CHECK(checkProfile(name, text));
+      const auto text = readFile(file, std::size_t(64) << 20);
+      if (!text) return fail(Code::Input, "{}{}", text.error().message, name == file ? "" : "; it is named by $OCIO");
+      PILEUS_CHECK(checkProfile(name, *text));
       impl->config = OCIO::Config::CreateFromFile(file.c_str());
     }
     const OCIO::Config& config = *impl->config;

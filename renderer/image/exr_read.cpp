@@ -27,6 +27,7 @@ namespace {
 constexpr std::int64_t kMostPixels = std::int64_t(1) << 28;
 constexpr std::int64_t kMostSamples = std::int64_t(1) << 30;
 constexpr int kLongestSide = 1 << 20, kLongestTileSide = 1 << 14;
+constexpr std::int64_t kLargestTile = std::int64_t(1) << 28;  // bytes; whole tiles are held, however small the picture
 constexpr int kMostChannels = 1024;
 // A constant picture in DWAA is packed about 2^16 : 1; nothing honest exceeds this.
 constexpr std::int64_t kLargestRatio = 1 << 18, kSmallPicture = std::int64_t(1) << 26;
@@ -131,16 +132,17 @@ Result<void> checkSizes(const Imf::Header& header, std::int64_t fileBytes) {
     if (std::abs(std::int64_t(data.min[axis]) - display.min[axis]) > kLongestSide)
       return fail(Code::Input, "its data window lies absurdly far from its display window");
 
-  std::int64_t samples = 0, bytes = 0;
+  std::int64_t samples = 0, bytesPerPixel = 0;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
     samples += width * height;
-    bytes += width * height * (it.channel().type == Imf::HALF ? 2 : 4);
+    bytesPerPixel += it.channel().type == Imf::HALF ? 2 : 4;
     if (samples > kMostSamples) return fail(Code::Input, "its {} x {} pixels have too many channels to be read", width, height);
   }
   std::int64_t chunks = 0, chunkHeader = 8;
   if (header.hasTileDescription()) {
     const std::int64_t tileX = header.tileDescription().xSize, tileY = header.tileDescription().ySize;
-    if (tileX < 1 || tileY < 1 || tileX > kLongestTileSide || tileY > kLongestTileSide)
+    if (tileX < 1 || tileY < 1 || tileX > kLongestTileSide || tileY > kLongestTileSide ||
+        tileX * tileY * bytesPerPixel > kLargestTile)
       return fail(Code::Input, "tiles of {} x {} pixels are more than can be read", tileX, tileY);
     chunks = ((width + tileX - 1) / tileX) * ((height + tileY - 1) / tileY);
     chunkHeader = 20;
@@ -148,7 +150,7 @@ Result<void> checkSizes(const Imf::Header& header, std::int64_t fileBytes) {
     const int lines = linesPerChunk(header.compression());
     chunks = (height + lines - 1) / lines;
   }
-  if (chunks * (8 + chunkHeader) > fileBytes || bytes > std::max(kSmallPicture, fileBytes * kLargestRatio))
+  if (chunks * (8 + chunkHeader) > fileBytes || width * height * bytesPerPixel > std::max(kSmallPicture, fileBytes * kLargestRatio))
     return fail(Code::Input, "the file is too short ({} bytes) for its {} x {} pixels; it is cut off or damaged", fileBytes, width,
                 height);
   return {};

@@ -7,13 +7,10 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfThreading.h>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <set>
-#include <thread>
 
 #include "renderer/base/file.h"
 #include "renderer/base/hash.h"
@@ -142,8 +139,6 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image, con
   const auto inPath = [&](const Error& e) { return fail(e.code, "{}: {}", path.string(), e.message); };
   if (auto ok = checkShape(image); !ok) return inPath(ok.error());
   if (auto ok = checkFinite(image); !ok) return inPath(ok.error());
-  static std::once_flag threads;  // rows are compressed on all cores; reading stays on the calling thread
-  std::call_once(threads, [] { Imf::setGlobalThreadCount(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))); });
   try {
     auto header = makeHeader(image, options);
     if (!header) return inPath(header.error());

@@ -207,6 +207,23 @@ GridPtr emptyGrid(std::string name, const dmat4& worldFromIndex) {
   return grid;
 }
 
+Result<ivec3> latticeSize(const std::string& name, ivec3 activeMin, ivec3 activeMax, const BuildLimits& limits) {
+  ivec3 bricks;
+  double lattice = 1;
+  for (int a = 0; a < 3; ++a) {
+    const std::int64_t extent = std::int64_t(activeMax[a]) - activeMin[a] + 1;
+    constexpr std::int64_t reach = std::int64_t(1) << 30;  // index arithmetic stays far from the ends of int
+    if (extent > limits.extent || activeMin[a] < -reach || activeMax[a] > reach)
+      return fail(Code::Input, "grid '{}': its active voxels span {} along {}, from {} to {}; the limit is {}", name, extent,
+                  "XYZ"[a], activeMin[a], activeMax[a], limits.extent);
+    bricks[a] = static_cast<int>((extent + 1 + kBrickSize - 1) / kBrickSize);
+    lattice *= bricks[a];
+  }
+  if (lattice > double(limits.latticeBricks))
+    return fail(Code::Input, "grid '{}': its bounds hold {:.3g} bricks; the limit is {}", name, lattice, limits.latticeBricks);
+  return bricks;
+}
+
 Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, double from, const BuildLimits& limits) {
   const dmat4& m = source.worldFromIndex;
   const double det = glm::determinant(glm::dmat3(m));
@@ -218,19 +235,7 @@ Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, 
   grid->name = source.name;
   grid->worldFromIndex = m;
   grid->voxelSize = voxelEdge(m);
-  ivec3 bricks;
-  double lattice = 1;
-  for (int a = 0; a < 3; ++a) {
-    const std::int64_t extent = std::int64_t(source.activeMax[a]) - source.activeMin[a] + 1;
-    constexpr std::int64_t reach = std::int64_t(1) << 30;  // index arithmetic stays far from the ends of int
-    if (extent > limits.extent || source.activeMin[a] < -reach || source.activeMax[a] > reach)
-      return fail(Code::Input, "grid '{}': its active voxels span {} along {}, from {} to {}; the limit is {}", source.name, extent,
-                  "XYZ"[a], source.activeMin[a], source.activeMax[a], limits.extent);
-    bricks[a] = static_cast<int>((extent + 1 + kBrickSize - 1) / kBrickSize);
-    lattice *= bricks[a];
-  }
-  if (lattice > double(limits.latticeBricks))
-    return fail(Code::Input, "grid '{}': its bounds hold {:.3g} bricks; the limit is {}", source.name, lattice, limits.latticeBricks);
+  PILEUS_TRY(const ivec3 bricks, latticeSize(source.name, source.activeMin, source.activeMax, limits));
   grid->origin = source.activeMin - 1;
   grid->indexBounds = {dvec3(source.activeMin) - 1.0, dvec3(source.activeMax) + 1.0};
 

@@ -41,6 +41,9 @@ struct BuildLimits {
   int extent = 65536;                                    ///< voxels along any axis
 };
 
+/// Bricks along each axis that level 0 of these active bounds takes (bounds not empty). Error (Input): beyond the limits.
+Result<ivec3> latticeSize(const std::string& name, ivec3 activeMin, ivec3 activeMax, const BuildLimits& limits = {});
+
 struct BuildResult {
   GridPtr grid;
   std::uint64_t nonFinite = 0;  ///< voxels (each counted once) that were NaN, infinite or beyond +-1e37 and became 0

@@ -1,0 +1,34 @@
+#pragma once
+// The child process that parses VDB files, and what it says to its parent. See vdb_import.h.
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "renderer/base/result.h"
+#include "renderer/volume/vdb_import.h"
+
+namespace pileus::volume {
+
+/// The hidden subcommand: argv = <exe> import inspect FILE MEMORY CPU | <exe> import grid FILE NAME STORE MEMORY CPU
+/// (limits in bytes and seconds). Speaks the protocol below on standard output. Returns the exit status.
+int importChildMain(int argc, char** argv);
+
+/// A message: one byte kind, four bytes length, content.
+enum class MessageKind : char {
+  Progress = 'P',  ///< double
+  Error = 'E',     ///< int32 Code, text
+  Info = 'I',      ///< encodeInfo
+  Done = 'D',      ///< nothing: the store is written
+};
+std::string encodeMessage(MessageKind kind, std::string_view content);
+struct Message {
+  MessageKind kind;
+  std::string content;
+};
+/// Takes the first whole message off `buffer`; nothing yet: nullopt. An Error: the bytes are no message.
+Result<std::optional<Message>> takeMessage(std::string& buffer);
+
+std::string encodeInfo(const VdbInfo& info);
+std::optional<VdbInfo> decodeInfo(std::string_view bytes);
+
+}  // namespace pileus::volume

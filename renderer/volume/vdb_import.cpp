@@ -1,0 +1,113 @@
+#include "renderer/volume/vdb_import.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+
+#include "renderer/base/file.h"
+#include "renderer/base/log.h"
+#include "renderer/volume/brick_store.h"
+#include "renderer/volume/byte_stream.h"
+#include "renderer/volume/child_process.h"
+#include "renderer/volume/file_kind.h"
+#include "renderer/volume/vdb_child.h"
+
+namespace fs = std::filesystem;
+
+namespace pileus::volume {
+namespace {
+
+constexpr std::uint64_t kCacheBytes = std::uint64_t(16) << 30;
+constexpr std::size_t kMaxMessage = 1024;
+
+Error about(const fs::path& path, Code code, std::string_view reason) {
+  std::string message = fmt::format("{}: {}", path.string(), reason);
+  if (message.size() > kMaxMessage) message = message.substr(0, kMaxMessage - 3) + "...";
+  return Error{code, std::move(message)};
+}
+
+/// Printable part of what a library wrote, on one line.
+std::string_view lastLine(std::string_view text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+  const auto at = text.rfind('\n');
+  return at == std::string_view::npos ? text : text.substr(at + 1);
+}
+
+/// Runs the child to its end and returns the content of its Info or Done message.
+Result<std::string> runChild(const fs::path& path, std::vector<std::string> arguments, JobControl& control, const ImportLimits& limits) {
+  arguments.push_back(std::to_string(limits.memoryBytes));
+  arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
+  auto started = ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
+  if (!started) return started.error();
+  ChildProcess& child = *started;
+  const auto begin = std::chrono::steady_clock::now();
+  std::optional<Message> answer;
+  for (bool open = true; open;) {
+    open = child.read(std::chrono::milliseconds(20));
+    if (control.cancelled()) return fail(Code::Cancelled, "cancelled");  // the destructor kills
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > limits.wallSeconds)
+      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.wallSeconds));
+    while (true) {
+      auto message = takeMessage(child.out);
+      if (!message) return message.error();
+      if (!*message) break;
+      if ((*message)->kind == MessageKind::Progress) control.progress(ByteReader((*message)->content).take<double>());
+      else answer = std::move(**message);
+    }
+  }
+  const int status = child.wait();
+  if (answer && answer->kind == MessageKind::Error) {
+    ByteReader r(answer->content);
+    const auto code = r.take<std::int32_t>();
+    return about(path, code >= 1 && code <= 6 ? static_cast<Code>(code) : Code::Internal, r.takeText());
+  }
+  if (WIFSIGNALED(status)) {
+    const int s = WTERMSIG(status);
+    if (s == SIGXCPU) return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
+    return about(path, Code::Input, fmt::format("the file is damaged: its reader was stopped by signal {} ({})", s, ::strsignal(s)));
+  }
+  if (answer && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(answer->content);
+  return about(path, Code::Internal, fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
+}
+
+fs::path storeFolder() {
+  const fs::path folder = cacheFolder() / "bricks";
+  std::error_code ec;
+  fs::create_directories(folder, ec);
+  return folder;
+}
+
+}  // namespace
+
+Result<VdbInfo> inspectVdb(const fs::path& path, JobControl& control, const ImportLimits& limits) {
+  if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
+  PILEUS_TRY(const std::string content, runChild(path, {"import", "inspect", path.string()}, control, limits));
+  auto info = decodeInfo(content);
+  if (!info) return about(path, Code::Internal, "its reader's answer is malformed");
+  return std::move(*info);
+}
+
+Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName, JobControl& control, const ImportLimits& limits) {
+  if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
+  const Key key = Hasher().add(fileStamp(path)).add(gridName).add(kStoreVersion).add("vdb").key();
+  const fs::path folder = storeFolder(), store = folder / (key.hex() + ".bricks");
+  std::error_code ec;
+  if (fs::exists(store, ec)) {
+    if (auto stored = readStore(store)) {
+      fs::last_write_time(store, fs::file_time_type::clock::now(), ec);  // used now: pruned last
+      return ImportedGrid{stored->grid, std::move(stored->notes)};
+    } else {
+      log::info("reading {} again, because its cached bricks cannot be used: {}", path.string(), stored.error().message);
+    }
+  }
+  PILEUS_CHECK(runChild(path, {"import", "grid", path.string(), gridName, store.string()}, control, limits));
+  auto stored = readStore(store);
+  if (!stored) return about(path, Code::Internal, fmt::format("its bricks cannot be read back: {}", stored.error().message));
+  pruneStores(folder, kCacheBytes);
+  return ImportedGrid{stored->grid, std::move(stored->notes)};
+}
+
+}  // namespace pileus::volume

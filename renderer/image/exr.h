@@ -1,0 +1,38 @@
+#pragma once
+// OpenEXR stills. Any thread.
+#include <filesystem>
+
+#include "renderer/base/enum_info.h"
+#include "renderer/image/image.h"
+
+#include <array>
+
+namespace pileus::image {
+
+enum class PixelType { Half, Float };
+constexpr auto enumInfo(PixelType*) {
+  return std::array{EnumItem<PixelType>{PixelType::Half, "half", "Half", "16-bit float: enough for pictures, half the size."},
+                    EnumItem<PixelType>{PixelType::Float, "float", "Float", "32-bit float: for data and measurements."}};
+}
+
+enum class Compression { None, Zips, Zip, Piz, Dwaa };
+constexpr auto enumInfo(Compression*) {
+  return std::array{EnumItem<Compression>{Compression::None, "none", "None", "No compression."},
+                    EnumItem<Compression>{Compression::Zips, "zips", "ZIPS", "Lossless, one row a block: fast to scrub in compositors."},
+                    EnumItem<Compression>{Compression::Zip, "zip", "ZIP", "Lossless, 16 rows a block."},
+                    EnumItem<Compression>{Compression::Piz, "piz", "PIZ", "Lossless wavelet: best on grain."},
+                    EnumItem<Compression>{Compression::Dwaa, "dwaa", "DWAA", "Lossy: for previews only."}};
+}
+
+struct ExrOptions {
+  PixelType type = PixelType::Half;
+  Compression compression = Compression::Zip;
+};
+
+/// Atomic (temporary file, rename). Half: values are clamped to the largest finite half. A NaN or infinity in the input makes
+/// the call fail (Internal) naming layer and pixel: none ever reaches a file.
+Result<void> writeExr(const std::filesystem::path& path, const Image& image, const ExrOptions& options = {});
+/// Any flat EXR (scanline or tiled, half/float/uint), first part; sub-sampled channels refused. Error (Input) on damaged files, never a crash.
+Result<Image> readExr(const std::filesystem::path& path);
+
+}  // namespace pileus::image

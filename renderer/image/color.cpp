@@ -1,13 +1,10 @@
 #include "renderer/image/color.h"
 
-#include <OpenColorIO/OpenColorIO.h>
 #include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -16,6 +13,7 @@
 #include "embedded_color.h"
 #include "renderer/base/file.h"
 #include "renderer/base/log.h"
+#include "renderer/image/color_source.h"
 #include "renderer/image/reason.h"
 
 namespace OCIO = OCIO_NAMESPACE;
@@ -32,68 +30,6 @@ struct Display {
   std::string defaultView;
   std::vector<std::string> views;
 };
-
-/// How ACEScg pixels enter the config.
-struct Source {
-  std::string space;           ///< of the config
-  bool fromAces2065 = false;   ///< `space` is ACES2065-1: a built-in ACEScg -> ACES2065-1 goes first
-  std::string note;            ///< for the description where colours are not exact
-};
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-bool namesAcesCg(const std::string& name) {
-  const std::string n = lower(name);
-  return n == "acescg" || n == "lin_ap1" || n == "aces - acescg" || n == "linear acescg" || n == "acescg - linear" ||
-         n == "lin_acescg" || n == "utility - linear - ap1";
-}
-
-bool isAcesCg(const OCIO::ConstColorSpaceRcPtr& space) {
-  if (!space || space->isData()) return false;
-  if (namesAcesCg(space->getName())) return true;
-  for (std::size_t i = 0; i < space->getNumAliases(); ++i)
-    if (namesAcesCg(space->getAlias(i))) return true;
-  return false;
-}
-
-Source chooseSource(const OCIO::Config& config) {
-  const auto sceneLinear = config.getColorSpace(OCIO::ROLE_SCENE_LINEAR);
-  if (isAcesCg(sceneLinear)) return {sceneLinear->getName(), false, ""};
-  const int count = config.getNumColorSpaces(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL);
-  for (int i = 0; i < count; ++i) {
-    const char* name = config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, i);
-    if (const auto space = config.getColorSpace(name); isAcesCg(space)) return {space->getName(), false, ""};
-  }
-  if (const auto aces = config.getColorSpace("aces_interchange"); aces) return {aces->getName(), true, ""};
-  if (sceneLinear)
-    return {sceneLinear->getName(), false,
-            fmt::format("it has no ACEScg and no aces_interchange role, so colours are taken as '{}'", sceneLinear->getName())};
-  const std::string first = count > 0 ? config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, 0) : "";
-  return {first, false, fmt::format("it has no scene_linear role, so colours are taken as '{}'", first)};
-}
-
-/// OpenColorIO's own refusal speaks of its versions only; this says what to do.
-Result<void> checkProfile(const std::string& name, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  const std::string key = "ocio_profile_version:";
-  while (std::getline(lines, line)) {
-    if (line.compare(0, key.size(), key) != 0) continue;
-    int major = 0, minor = 0;
-    const int found = std::sscanf(line.c_str() + key.size(), "%9d.%9d", &major, &minor);
-    const int library = OCIO::GetVersionHex(), libraryMajor = library >> 24, libraryMinor = (library >> 16) & 0xff;
-    if (found >= 1 && std::pair(major, minor) > std::pair(libraryMajor, libraryMinor))
-      return fail(Code::Input,
-                  "{}: the colour config has profile version {}.{}, newer than this build's OpenColorIO {}, which reads up to {}.{}; "
-                  "use a config written for {}.{} or older",
-                  name, major, minor, OCIO::GetVersion(), libraryMajor, libraryMinor, libraryMajor, libraryMinor);
-    return {};
-  }
-  return fail(Code::Input, "{}: not an OpenColorIO config (no line 'ocio_profile_version:')", name);
-}
 
 void forwardLibraryLog() {
   static std::once_flag once;
@@ -135,7 +71,7 @@ void addTextures(const OCIO::GpuShaderDesc& shader, std::vector<LutTexture>& out
 struct ColorConfig::Impl {
   OCIO::ConstConfigRcPtr config;
   std::string description;
-  Source source;
+  ColorSource source;
   std::vector<Display> displays;
 
   mutable std::mutex mutex;  // guards the two caches
@@ -214,7 +150,7 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& 
       impl->config = OCIO::Config::CreateFromFile(file.c_str());
     }
     const OCIO::Config& config = *impl->config;
-    impl->source = chooseSource(config);
+    impl->source = chooseColorSource(config);
     impl->description = impl->source.note.empty() ? name : name + ": " + impl->source.note;
     const std::string first = config.getDefaultDisplay();
     for (int d = 0; d < config.getNumDisplays(); ++d) {

@@ -40,7 +40,8 @@ class ColorConfig {
   std::vector<std::string> views(const std::string& display) const;
   std::string defaultDisplay() const;
   std::string defaultView(const std::string& display) const;
-  /// The colour space name of this config for ACEScg (role scene_linear, or an alias), used as the source.
+  /// The space of this config that ACEScg pixels are handed to: ACEScg itself; ACES2065-1 through the role aces_interchange,
+  /// after a built-in conversion; or, as description() then says, scene_linear taken as it is.
   std::string workingSpace() const;
 
   /// "" for display or view chooses the default. Error (Arguments) lists what exists.

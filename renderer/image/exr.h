@@ -30,9 +30,13 @@ struct ExrOptions {
 };
 
 /// Atomic (temporary file, rename). Half: values are clamped to the largest finite half. A NaN or infinity in the input makes
-/// the call fail (Internal) naming layer and pixel: none ever reaches a file.
+/// the call fail (Internal) naming layer and pixel: none ever reaches a file. Error (Input) names an unwritable path. Metadata
+/// names beyond the 31 characters of EXR are shortened, ending in digits of their hash.
 Result<void> writeExr(const std::filesystem::path& path, const Image& image, const ExrOptions& options = {});
-/// Any flat EXR (scanline or tiled, half/float/uint), first part; sub-sampled channels refused. Error (Input) on damaged files, never a crash.
+/// Any flat EXR (scanline or tiled, half/float/uint), first part. Channels R,G,B(,A), X,Y,Z and Y become layers by their prefix;
+/// any other channel is a layer of its own, of its full name; the beauty comes first. Without chromaticities in the file they are
+/// Rec. 709's, as the format has it. Values are as stored, NaNs included. Error (Input) on damaged, deep, sub-sampled or absurdly
+/// large files, never a crash.
 Result<Image> readExr(const std::filesystem::path& path);
 
 }  // namespace pileus::image

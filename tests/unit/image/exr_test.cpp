@@ -2,10 +2,13 @@
 #include "renderer/image/exr.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <random>
 
 #include "renderer/base/file.h"
 #include "tests/support/support.h"
@@ -228,6 +231,35 @@ TEST(Exr, ReadRefusesWhatIsNoPicture) {
     ASSERT_FALSE(read) << path;
     EXPECT_EQ(read.error().code, Code::Input);
     EXPECT_EQ(read.error().message.find(path.string()), 0u) << read.error().message;
+  }
+}
+
+/// Bits and bytes changed at random in files of every compression, each read in a process of its own.
+TEST(Exr, MutatedFilesNeverCrash) {
+  const fs::path folder = test::scratchFolder();
+  std::vector<std::string> seeds;
+  for (const auto& item : enumInfo(static_cast<Compression*>(nullptr))) {
+    ASSERT_TRUE(writeExr(folder / "seed.exr", makeImage({37, 40}), {PixelType::Half, item.value}));
+    seeds.push_back(*readFile(folder / "seed.exr"));
+  }
+  for (unsigned run = 0; run < 400; ++run) {
+    std::mt19937 random(run);
+    std::string bytes = seeds[run % seeds.size()];
+    for (auto changes = 1 + random() % 6; changes > 0; --changes) {
+      const std::size_t at = random() % (random() % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 700));
+      bytes[at] = static_cast<char>(random() % 2 ? random() : static_cast<unsigned char>(bytes[at]) ^ 1u << random() % 8);
+    }
+    std::ofstream(folder / "mutated.exr", std::ios::binary) << bytes;
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::alarm(10);
+      const auto read = readExr(folder / "mutated.exr");
+      ::_exit(read || read.error().code == Code::Input ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status)) << "mutation " << run << " ended with signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "mutation " << run;
   }
 }
 

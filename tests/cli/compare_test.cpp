@@ -1,0 +1,61 @@
+// `pileus compare` on the command line: what it prints and how it exits.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "renderer/image/exr.h"
+#include "tests/support/support.h"
+
+namespace pileus {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path writePicture(const std::string& name, ivec2 size, float value) {
+  image::Image picture;
+  picture.size = size;
+  image::Layer layer{"", 4, {}};
+  for (int i = 0; i < size.x * size.y; ++i) layer.pixels.insert(layer.pixels.end(), {value, value, value, 1.0f});
+  picture.layers = {layer};
+  const fs::path path = test::scratchFolder() / name;
+  const auto written = image::writeExr(path, picture, {image::PixelType::Float, image::Compression::Zip});
+  EXPECT_TRUE(written) << written.error().message;
+  return path;
+}
+
+TEST(Compare, PrintsEveryMeasure) {
+  const fs::path a = writePicture("a.exr", {8, 6}, 0.75f), b = writePicture("b.exr", {8, 6}, 0.5f);
+  const auto result = test::pileus({"compare", a.string(), b.string()});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  for (const char* expected : {"RMSE   0.25\n", "relMSE 0.240385\n", "max    0.25\n", "\nR ", "\nG ", "\nB ", "\nA "})
+    EXPECT_NE(result.out.find(expected), std::string::npos) << expected << " in\n" << result.out;
+}
+
+TEST(Compare, TheBoundDecidesTheExitCode) {
+  const fs::path a = writePicture("a.exr", {8, 6}, 0.75f), b = writePicture("b.exr", {8, 6}, 0.5f);
+  EXPECT_EQ(test::pileus({"compare", a.string(), b.string(), "--max-relmse", "0.25"}).exitCode, 0);
+  const auto exceeded = test::pileus({"compare", a.string(), b.string(), "--max-relmse", "0.24"});
+  EXPECT_EQ(exceeded.exitCode, 6);
+  EXPECT_NE(exceeded.out.find("relMSE 0.240385"), std::string::npos);
+  EXPECT_EQ(exceeded.err, "pileus: relMSE 0.240385 exceeds the bound 0.24\n");
+  EXPECT_EQ(test::pileus({"compare", a.string(), a.string(), "--max-relmse", "0"}).exitCode, 0);
+}
+
+TEST(Compare, UnreadableOrMismatchedPicturesExitWithThree) {
+  const fs::path a = writePicture("a.exr", {8, 6}, 0.5f), other = writePicture("other.exr", {8, 7}, 0.5f);
+  const fs::path missing = a.parent_path() / "missing.exr", text = a.parent_path() / "text.exr";
+  std::ofstream(text) << "not a picture";
+  for (const fs::path& bad : {missing, text, other}) {
+    for (const auto& [first, second] : {std::pair(a, bad), std::pair(bad, a)}) {
+      const auto result = test::pileus({"compare", first.string(), second.string()});
+      EXPECT_EQ(result.exitCode, 3) << bad;
+      EXPECT_EQ(result.err.find("pileus: "), 0u) << result.err;
+      EXPECT_NE(result.err.find(bad.string()), std::string::npos) << result.err;
+      EXPECT_EQ(result.out, "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pileus

@@ -1,0 +1,109 @@
+#pragma once
+// What evaluate() may see and say. One lives per node evaluation, on the GL thread.
+#include <any>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/base/hash.h"
+#include "renderer/base/math.h"
+#include "renderer/base/profile.h"
+#include "renderer/scene/camera.h"
+
+namespace pileus::image {
+class ColorConfig;
+}
+namespace pileus::view {
+class Renderer;  // renderer/view/renderer.h: the GPU services (pools, programs, stores)
+}
+
+namespace pileus::nodes {
+
+enum class Quality {
+  Draft,  ///< while something is dragged: quarter-resolution pictures, small maps, one sample
+  Final,  ///< as the parameters say
+};
+
+/// What the evaluator is asked for, beside the graph.
+struct EvalSettings {
+  int frame = 1;
+  ivec2 size{1280, 720};                       ///< full picture size; a draft divides it itself
+  Quality quality = Quality::Final;
+  std::optional<scene::Camera> freeCamera;     ///< the viewport's camera; absent: pictures without a camera frame the volumes
+  std::filesystem::path folder;                ///< relative file parameters start here
+  double budgetMs = 30;                        ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
+};
+
+class EvalContext {
+ public:
+  EvalContext(const EvalSettings& settings, view::Renderer* renderer, std::any& state, const Key& key, const Stopwatch& clock)
+      : settings_(&settings), renderer_(renderer), state_(&state), key_(key), clock_(&clock) {}
+
+  // Context values: legal only where the type's uses() declares them (they enter the content key there).
+  int frame() const { return settings_->frame; }
+  ivec2 size() const { return settings_->size; }
+  Quality quality() const { return settings_->quality; }
+  const std::optional<scene::Camera>& freeCamera() const { return settings_->freeCamera; }
+
+  /// Null in evaluations without a GPU (tests of the model); types that need it fail with Code::Gpu.
+  view::Renderer* renderer() const { return renderer_; }
+  /// This evaluation's content key.
+  const Key& key() const { return key_; }
+
+  /// This node's state object, kept between calls for one content key until the node is complete (then dropped) or the key is no longer wanted.
+  template <class State>
+  State& state() {
+    if (!state_->has_value()) *state_ = std::make_shared<State>();
+    return *std::any_cast<std::shared_ptr<State>&>(*state_);
+  }
+
+  /// Milliseconds left of the budget; the first step of a call is always done, so that progress is made.
+  double msLeft() const { return settings_->budgetMs - clock_->ms(); }
+
+  /// The returned value is usable but not final: show it and call again. `revision` enters the key of everything downstream, so it
+  /// changes only where downstream nodes shall run again on the better value. `waitsForJob`: this thread has nothing to do for it until
+  /// a job reports. With an infinite budget partial values do not flow on: downstream waits for the final one.
+  void partial(double fraction, std::uint64_t revision = 0, bool waitsForJob = false) {
+    incomplete_ = true, usable_ = true, fraction_ = fraction, revision_ = revision, waits_ = waitsForJob;
+  }
+  /// Nothing usable yet (the returned value is ignored): downstream waits, the last good picture stays.
+  /// Taken to wait for a job, unless GPU time was reported.
+  void pending(double fraction, std::string what) {
+    incomplete_ = true, usable_ = false, fraction_ = fraction, what_ = std::move(what), waits_ = true;
+  }
+  /// Shown on the node; the result is valid.
+  void warn(std::string text) { warnings_.push_back(std::move(text)); }
+  /// Shown on the node: what it chose or guessed ("density, 111 x 222 x 112").
+  void note(std::string text) { notes_.push_back(std::move(text)); }
+  /// GPU time and memory this call used, for the node's statistics.
+  void reportGpu(double ms, std::size_t bytes) { gpuMs_ += ms, bytes_ = bytes; }
+
+  // Read by the evaluator.
+  bool incomplete() const { return incomplete_; }
+  bool usable() const { return usable_; }
+  double fraction() const { return fraction_; }
+  std::uint64_t revision() const { return revision_; }
+  const std::string& what() const { return what_; }
+  bool waitsForJob() const { return waits_ && gpuMs_ <= 0; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& notes() const { return notes_; }
+  double gpuMs() const { return gpuMs_; }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  const EvalSettings* settings_;
+  view::Renderer* renderer_;
+  std::any* state_;
+  Key key_;
+  const Stopwatch* clock_;
+  bool incomplete_ = false, usable_ = true, waits_ = false;
+  double fraction_ = 1;
+  std::uint64_t revision_ = 0;
+  std::string what_;
+  std::vector<std::string> warnings_, notes_;
+  double gpuMs_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace pileus::nodes

@@ -1,0 +1,329 @@
+#include "nodes/evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/node_inputs.h"
+#include "nodes/result_cache.h"
+
+namespace pileus::nodes {
+namespace {
+
+/// What one evaluate() knows about a wanted node.
+struct Run {
+  Key key;                      ///< zero: not reached
+  Values values;                ///< null: none
+  std::vector<Key> outputKeys;  ///< what dependants hash, one per output
+  bool final = false;           ///< neither it nor anything upstream can still change
+};
+
+const SocketValue* find(const Values& values, const NodeType* type, std::string_view socket) {
+  const int i = type ? type->outputIndex(socket) : -1;
+  if (!values || i < 0 || static_cast<std::size_t>(i) >= values->size()) return nullptr;
+  const SocketValue& value = (*values)[static_cast<std::size_t>(i)];
+  return std::holds_alternative<std::monostate>(value) ? nullptr : &value;
+}
+
+bool isFailure(NodeState state) { return state == NodeState::Failed || state == NodeState::Skipped; }
+
+/// "param: text" becomes "Node.param: text", anything else "Node: text".
+std::string located(const std::string& node, const NodeType& type, const std::string& message) {
+  const std::string_view head = std::string_view(message).substr(0, message.find(':'));
+  const bool named = head.size() < message.size() &&
+                     (type.param(head) || type.inputIndex(head) >= 0 || type.outputIndex(head) >= 0);
+  return node + (named ? "." : ": ") + message;
+}
+
+}  // namespace
+
+struct Evaluator::Impl {
+  view::Renderer* renderer;
+  TypeLookup lookup;
+  ResultCache cache;
+  std::uint64_t call = 0;
+  Graph graph;
+  std::map<std::string, NodeStatus> statuses;
+  std::map<std::string, Run> runs;
+  std::map<std::string, Values> lastGood;
+
+  // Of the evaluate() in progress.
+  const EvalSettings* settings = nullptr;
+  Stopwatch clock;
+  bool stepped = false;      ///< the one step that is always done was done
+  bool workLeft = false;     ///< an unfinished node could go on at once
+  std::size_t waiting = 0;   ///< unfinished nodes that wait for a job
+
+  const NodeType* typeOf(const std::string& node) const {
+    const Node* n = findNode(graph, node);
+    return n ? lookup(n->type) : nullptr;
+  }
+  const Link* firstLink(const std::string& node, std::string_view socket) const {
+    for (const Link& link : graph.links)
+      if (!link.muted && link.toNode == node && link.toSocket == socket) return &link;
+    return nullptr;
+  }
+
+  void visit(const std::string& name);
+  std::optional<Error> gather(const std::string& name, const Node& node, const NodeType& type, NodeInputs& in);
+  void passThrough(const NodeType& type, const NodeInputs& in, Run& run);
+  void step(const std::string& name, const NodeType& type, const NodeInputs& in, CachedResult& result, const Key& key);
+  void publish(const std::string& name, const NodeType& type, const NodeInputs& in, const CachedResult& result);
+  void failed(const std::string& name, NodeState state, Error error) {
+    NodeStatus& status = statuses[name];
+    status.state = state;
+    status.error = std::move(error);
+  }
+};
+
+Evaluator::Evaluator(view::Renderer* renderer, TypeLookup lookup) : impl_(std::make_unique<Impl>()) {
+  impl_->renderer = renderer;
+  impl_->lookup = std::move(lookup);
+}
+Evaluator::~Evaluator() = default;
+
+/// Collects the values, keys and parameters of a node. An error names node and key.
+std::optional<Error> Evaluator::Impl::gather(const std::string& name, const Node& node, const NodeType& type, NodeInputs& in) {
+  in.links.resize(type.inputs.size());
+  in.keys.resize(type.inputs.size());
+  for (const Link& link : graph.links) {
+    if (link.toNode != name || link.muted) continue;
+    const int index = type.inputIndex(link.toSocket);
+    if (index < 0) return fail(Code::Input, "{}.{}: there is no such input", name, link.toSocket);
+    const auto i = static_cast<std::size_t>(index);
+    const NodeType* source = typeOf(link.fromNode);
+    const int output = source ? source->outputIndex(link.fromSocket) : -1;
+    if (output < 0) return fail(Code::Input, "{}.{}: {} has no output '{}'", name, link.toSocket, link.fromNode, link.fromSocket);
+    const auto o = static_cast<std::size_t>(output);
+    if (!convertible(source->outputs[o].type, type.inputs[i].type))
+      return fail(Code::Input, "{}.{}: takes {}, but {}.{} gives {}", name, link.toSocket, enumId(type.inputs[i].type),
+                  link.fromNode, link.fromSocket, enumId(source->outputs[o].type));
+    if (!type.inputs[i].many && in.linked.contains(index))
+      return fail(Code::Input, "{}.{}: takes one link, but has several", name, link.toSocket);
+    in.linked.insert(index);
+    const Run& run = runs[link.fromNode];
+    in.final = in.final && run.final;
+    if (!run.values || (!run.final && std::isinf(settings->budgetMs))) {
+      if (in.waitingFor.empty()) in.waitingFor = link.fromNode;
+      continue;
+    }
+    const SocketValue value = convertedValue((*run.values)[o], type.inputs[i].type);
+    if (std::holds_alternative<std::monostate>(value)) continue;  // a bypassed node with nothing to pass on
+    in.links[i].push_back(value);
+    in.keys[i].push_back(run.outputKeys[o]);
+  }
+  return resolveParams(name, node, type, *settings, in);
+}
+
+/// A bypassed node: its first input of the first output's type, under that input's own key.
+void Evaluator::Impl::passThrough(const NodeType& type, const NodeInputs& in, Run& run) {
+  std::vector<SocketValue> values(type.outputs.size());
+  run.outputKeys.assign(type.outputs.size(), Hasher().add("nothing").key());
+  run.final = in.final;
+  if (!type.outputs.empty()) {
+    const auto input = std::find_if(type.inputs.begin(), type.inputs.end(),
+                                    [&](const SocketSpec& spec) { return spec.type == type.outputs[0].type; });
+    const auto i = static_cast<std::size_t>(input - type.inputs.begin());
+    if (input != type.inputs.end() && !in.links[i].empty()) {
+      values[0] = joinedValue(in.links[i]);
+      run.outputKeys[0] = in.keys[i][0];
+      if (in.keys[i].size() > 1) {
+        Hasher joined;
+        joined.add("joined");
+        for (const Key& key : in.keys[i]) joined.add(key);
+        run.outputKeys[0] = joined.key();
+      }
+      run.key = run.outputKeys[0];
+    }
+  }
+  run.values = std::make_shared<const std::vector<SocketValue>>(std::move(values));
+}
+
+/// One call of the node's evaluate(); nothing it throws gets past here.
+void Evaluator::Impl::step(const std::string& name, const NodeType& type, const NodeInputs& in, CachedResult& result,
+                           const Key& key) {
+  EvalContext context(*settings, renderer, result.state, key, clock);
+  const Stopwatch watch;
+  Result<std::vector<SocketValue>> values = fail(Code::Internal, "not evaluated");
+  try {
+    values = type.evaluate(in.links, in.params, context);
+  } catch (const std::exception& e) {
+    values = fail(Code::Internal, "internal error: {}", e.what());
+  } catch (...) {
+    values = fail(Code::Internal, "internal error: unknown exception");
+  }
+  ++statuses[name].evaluations;
+  result.cpuMs += watch.ms();
+  result.gpuMs += context.gpuMs();
+  result.bytes = std::max(result.bytes, context.bytes());
+  result.warnings = context.warnings();
+  result.notes = context.notes();
+  result.lastStepped = call;
+  result.complete = !values || !context.incomplete();
+  result.usable = values && context.usable();
+  result.revision = context.revision();
+  result.fraction = context.fraction();
+  result.what = context.what();
+  result.waitsForJob = context.waitsForJob();
+  if (!values) result.error = values.error();
+  if (result.usable) result.values = std::make_shared<const std::vector<SocketValue>>(std::move(*values));
+  else if (result.complete) result.values = nullptr;
+  if (result.complete) result.state.reset();
+  // Looking after a job costs nothing: it is not the step of real work that each call is owed.
+  if (result.complete || !result.waitsForJob) stepped = true;
+}
+
+void Evaluator::Impl::publish(const std::string& name, const NodeType& type, const NodeInputs& in, const CachedResult& result) {
+  NodeStatus& status = statuses[name];
+  Run& run = runs[name];
+  status.cpuMs = result.cpuMs;
+  status.gpuMs = result.gpuMs;
+  status.bytes = result.bytes;
+  status.warnings.insert(status.warnings.end(), result.warnings.begin(), result.warnings.end());
+  status.notes = result.notes;
+  if (result.error) {
+    failed(name, NodeState::Failed, {result.error->code, located(name, type, result.error->message)});
+    return;
+  }
+  status.fraction = result.complete ? 1 : result.fraction;
+  status.what = result.what;
+  status.state = result.values ? (result.complete && in.final ? NodeState::Ready : NodeState::Partial) : NodeState::Pending;
+  run.values = result.values;
+  run.final = result.complete && in.final;
+  if (!result.values) return;
+  lastGood[name] = result.values;
+  for (std::size_t i = 0; i < type.outputs.size(); ++i) {
+    Hasher hash;
+    hash.add(run.key).add(i);
+    if (!result.complete) hash.add("partial").add(result.revision);
+    run.outputKeys.push_back(hash.key());
+  }
+}
+
+/// Brings one node up to date; everything upstream has been visited.
+void Evaluator::Impl::visit(const std::string& name) {
+  const Node& node = *findNode(graph, name);
+  const NodeType* type = lookup(node.type);
+  if (!type) return failed(name, NodeState::Failed, fail(Code::Input, "{}: unknown node type '{}'", name, node.type));
+  for (const Link& link : graph.links) {
+    if (link.toNode != name || link.muted) continue;
+    if (!findNode(graph, link.fromNode))
+      return failed(name, NodeState::Failed,
+                    fail(Code::Input, "{}.{}: there is no node '{}'", name, link.toSocket, link.fromNode));
+    if (const NodeStatus& from = statuses[link.fromNode]; isFailure(from.state)) {
+      const std::string& source = from.state == NodeState::Failed ? link.fromNode : from.what;
+      const Error error = fail(from.error.code, "{}: skipped, because {} failed", name, source);
+      statuses[name].what = source;
+      return failed(name, NodeState::Skipped, error);
+    }
+  }
+  NodeInputs in;
+  if (auto error = gather(name, node, *type, in)) return failed(name, NodeState::Failed, std::move(*error));
+  Run& run = runs[name];
+  NodeStatus& status = statuses[name];
+  status.warnings = in.warnings;
+  if (!in.waitingFor.empty()) {
+    status.state = NodeState::Pending;
+    status.fraction = 0;
+    status.what = "Waiting for " + in.waitingFor;
+    return;
+  }
+  if (node.bypass) {
+    passThrough(*type, in, run);
+    lastGood[name] = run.values;
+    status.state = run.final ? NodeState::Ready : NodeState::Partial;
+    return;
+  }
+  for (std::size_t i = 0; i < type->inputs.size(); ++i)
+    if (type->inputs[i].required && in.links[i].empty())
+      return failed(name, NodeState::Failed, fail(Code::Input, "{}.{}: nothing is linked", name, type->inputs[i].id));
+
+  run.key = contentKey(*type, in, *settings, graph.settings);
+  CachedResult& result = cache.at(run.key, call);
+  const bool isNew = result.lastStepped == 0;
+  const bool mayStep = !stepped || clock.ms() < settings->budgetMs || (!isNew && result.waitsForJob);
+  if (!result.complete && result.lastStepped != call && mayStep) step(name, *type, in, result, run.key);
+  if (!result.complete) {
+    if (result.lastStepped == call && result.waitsForJob) ++waiting;
+    else workLeft = true;
+  }
+  publish(name, *type, in, result);
+}
+
+EvalReport Evaluator::evaluate(const Graph& graph, const std::vector<std::string>& targets, const EvalSettings& settings) {
+  Impl& self = *impl_;
+  self.graph = graph;
+  self.settings = &settings;
+  self.clock.restart();
+  self.stepped = self.workLeft = false;
+  self.waiting = 0;
+  ++self.call;
+  for (auto& [name, status] : self.statuses) {
+    NodeStatus fresh;
+    fresh.evaluations = status.evaluations;
+    status = std::move(fresh);
+  }
+  self.runs.clear();
+  std::erase_if(self.lastGood, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
+  std::erase_if(self.statuses, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
+
+  EvalReport report;
+  const UpstreamOrder upstream = upstreamOrder(graph, targets);
+  for (const auto& [name, path] : upstream.cyclic)
+    self.failed(name, NodeState::Failed, fail(Code::Input, "{}: cycle: {}", name, path));
+  for (const std::string& name : upstream.order)
+    if (!upstream.cyclic.contains(name)) self.visit(name);
+
+  double sum = 0;
+  for (const std::string& name : upstream.order) {
+    const NodeStatus& status = self.statuses[name];
+    report.failed = report.failed || status.state == NodeState::Failed;
+    sum += isFailure(status.state) ? 1 : status.fraction;
+  }
+  report.complete = !self.workLeft && self.waiting == 0;
+  report.waitingForJobs = !self.workLeft && self.waiting > 0;
+  report.fraction = upstream.order.empty() ? 1 : sum / static_cast<double>(upstream.order.size());
+  self.cache.trim(self.call);
+  self.settings = nullptr;
+  return report;
+}
+
+const NodeStatus& Evaluator::status(const std::string& node) const {
+  static const NodeStatus idle;
+  const auto it = impl_->statuses.find(node);
+  return it == impl_->statuses.end() ? idle : it->second;
+}
+
+const SocketValue* Evaluator::output(const std::string& node, std::string_view socket) const {
+  const auto it = impl_->runs.find(node);
+  return it == impl_->runs.end() ? nullptr : find(it->second.values, impl_->typeOf(node), socket);
+}
+
+const SocketValue* Evaluator::input(const std::string& node, std::string_view socket) const {
+  const Link* link = impl_->firstLink(node, socket);
+  return link ? output(link->fromNode, link->fromSocket) : nullptr;
+}
+
+const SocketValue* Evaluator::lastGood(const std::string& node, std::string_view socket) const {
+  const auto it = impl_->lastGood.find(node);
+  return it == impl_->lastGood.end() ? nullptr : find(it->second, impl_->typeOf(node), socket);
+}
+
+const SocketValue* Evaluator::lastGoodInput(const std::string& node, std::string_view socket) const {
+  const Link* link = impl_->firstLink(node, socket);
+  return link ? lastGood(link->fromNode, link->fromSocket) : nullptr;
+}
+
+Key Evaluator::key(const std::string& node) const {
+  const auto it = impl_->runs.find(node);
+  return it == impl_->runs.end() ? Key{} : it->second.key;
+}
+
+void Evaluator::setCacheLimit(std::size_t bytes) { impl_->cache.setLimit(bytes); }
+
+void Evaluator::clear() {
+  impl_->cache.clear();
+  impl_->runs.clear();
+  impl_->lastGood.clear();
+}
+
+}  // namespace pileus::nodes

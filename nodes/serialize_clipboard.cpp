@@ -1,0 +1,44 @@
+// Parts of a graph as text: copy and paste across files.
+#include "nodes/serialize_json.h"
+
+namespace pileus::nodes {
+
+std::string copyText(const Graph& graph, const std::set<std::string>& names) {
+  Graph part;
+  for (const std::string& name : names)
+    if (const auto it = graph.nodes.find(name); it != graph.nodes.end()) part.nodes.insert(*it);
+  for (const Link& link : graph.links)
+    if (part.nodes.contains(link.fromNode) && part.nodes.contains(link.toNode)) part.links.push_back(link);
+  return writeJson(graphJson(part, false));
+}
+
+Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std::set<std::string>* pasted) {
+  const auto loaded = parseGraph(text);
+  if (!loaded) return fail(Code::Input, "the clipboard holds no Pileus nodes ({})", loaded.error().message);
+  const Graph& part = loaded->graph;
+  if (part.nodes.empty()) return fail(Code::Input, "the clipboard holds no Pileus nodes");
+  dvec2 low = part.nodes.begin()->second->at, high = low;
+  for (const auto& [name, node] : part.nodes) {
+    low = glm::min(low, node->at);
+    high = glm::max(high, node->at);
+  }
+  const dvec2 by = at - 0.5 * (low + high);
+  Graph result = graph;
+  std::map<std::string, std::string> names;
+  if (pasted) pasted->clear();
+  for (const auto& [name, node] : part.nodes) {
+    Node copy = *node;
+    copy.at += by;
+    const std::string& free = names[name] = freeName(result, name);
+    result.nodes.emplace(free, std::make_shared<const Node>(std::move(copy)));
+    if (pasted) pasted->insert(free);
+  }
+  for (Link link : part.links) {
+    link.fromNode = names[link.fromNode];
+    link.toNode = names[link.toNode];
+    result.links.push_back(std::move(link));
+  }
+  return result;
+}
+
+}  // namespace pileus::nodes

@@ -1,0 +1,25 @@
+#pragma once
+// JSON as graph files have it; private to serialize*.cpp.
+#include <nlohmann/json.hpp>
+
+#include "nodes/serialize.h"
+
+namespace pileus::nodes {
+
+using Json = nlohmann::json;  // objects are sorted by key
+
+/// Strict JSON nested at most 64 deep. Names given twice become error faults (the last one counts). The Error holds line and column.
+Result<Json> parseJson(std::string_view text, std::vector<Fault>& faults);
+
+/// Two-space indent; a list of numbers (with texts among them) on one line; shortest round-trip numbers; ends with a line break.
+std::string writeJson(const Json& json);
+
+/// Graph to and from JSON, without settings for the clipboard.
+Json graphJson(const Graph& graph, bool withSettings);
+/// Reads what it can; everything wrong becomes a fault. `json` is an object of the current format.
+Graph graphFromJson(const Json& json, std::vector<Fault>& faults);
+
+/// Faults of links: sockets, types, taken inputs and cycles.
+void checkLinks(const Graph& graph, std::vector<Fault>& faults);
+
+}  // namespace pileus::nodes

@@ -1,0 +1,83 @@
+// Graph to JSON text.
+#include <cmath>
+
+#include "nodes/serialize_json.h"
+
+namespace pileus::nodes {
+namespace {
+
+Json numberJson(double value) {
+  // Whole numbers are written as 25, and 25 reads back as an integer: the same text either way.
+  return std::isfinite(value) ? Json(value) : Json(0);
+}
+
+Json paramJson(const ParamValue& value) {
+  if (const auto* v = std::get_if<bool>(&value)) return *v;
+  if (const auto* v = std::get_if<int>(&value)) return *v;
+  if (const auto* v = std::get_if<double>(&value)) return numberJson(*v);
+  if (const auto* v = std::get_if<dvec3>(&value)) return Json::array({numberJson(v->x), numberJson(v->y), numberJson(v->z)});
+  return std::get<std::string>(value);
+}
+
+Json animationJson(const Animation& animation) {
+  Json keys = Json::array();
+  for (const AnimationKey& key : animation.keys)
+    keys.push_back(Json::array({numberJson(key.frame), paramJson(key.value), std::string(enumId(key.interpolation))}));
+  return {{"keys", std::move(keys)}};
+}
+
+/// Members kept as text go back where they came from, unless something known took their place.
+void restoreUnknown(Json& object, const std::string& name, const std::string& text) {
+  if (object.contains(name)) return;
+  Json value = Json::parse(text, nullptr, false);
+  if (!value.is_discarded()) object[name] = std::move(value);
+}
+
+Json nodeJson(const Node& node) {
+  Json json = {{"type", node.type}, {"at", Json::array({numberJson(node.at.x), numberJson(node.at.y)})}};
+  Json params = Json::object();
+  for (const auto& [id, animation] : node.animated) params[id] = animationJson(animation);
+  for (const auto& [id, value] : node.params)
+    if (!params.contains(id)) params[id] = paramJson(value);
+  if (node.bypass) json["bypass"] = true;
+  if (!node.color.empty()) json["color"] = node.color;
+  if (!node.label.empty()) json["label"] = node.label;
+  if (!node.expose.empty()) json["expose"] = node.expose;
+  constexpr std::string_view kParams = "params/";
+  for (const auto& [name, text] : node.unknown) {
+    if (name.starts_with(kParams)) restoreUnknown(params, name.substr(kParams.size()), text);
+    else restoreUnknown(json, name, text);
+  }
+  json["params"] = std::move(params);
+  return json;
+}
+
+Json settingsJson(const Settings& settings) {
+  Json json = {{"size", {settings.size.x, settings.size.y}},
+               {"frames", {settings.frames.x, settings.frames.y}},
+               {"fps", numberJson(settings.fps)},
+               {"ocio", settings.ocio},
+               {"workingSpace", settings.workingSpace}};
+  for (const auto& [name, text] : settings.unknown) restoreUnknown(json, name, text);
+  return json;
+}
+
+}  // namespace
+
+Json graphJson(const Graph& graph, bool withSettings) {
+  Json json = {{"pileus", kFormatVersion}, {"nodes", Json::object()}, {"links", Json::array()}};
+  for (const auto& [name, node] : graph.nodes) json["nodes"][name] = nodeJson(*node);
+  Json muted = Json::array();
+  for (const Link& link : graph.links)
+    (link.muted ? muted : json["links"])
+        .push_back(link.fromNode + "." + link.fromSocket + " -> " + link.toNode + "." + link.toSocket);
+  if (!muted.empty()) json["muted"] = std::move(muted);
+  if (!withSettings) return json;
+  json["settings"] = settingsJson(graph.settings);
+  for (const auto& [name, text] : graph.unknown) restoreUnknown(json, name, text);
+  return json;
+}
+
+std::string graphText(const Graph& graph) { return writeJson(graphJson(graph, true)); }
+
+}  // namespace pileus::nodes

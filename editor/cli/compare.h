@@ -10,8 +10,8 @@ struct CompareOptions {
   std::optional<double> maxRelMse;  ///< a larger relMSE is an error
 };
 
-/// Prints the measures on standard output, errors on standard error; returns the exit code: 0, 3 for a file that cannot be
-/// read or compared, 6 where relMSE exceeds the bound.
+/// Prints the measures on standard output, errors on standard error; returns the exit code: 0, 3 for a file
+/// that cannot be read or compared, 6 where relMSE exceeds the bound.
 int compareMain(const CompareOptions& options);
 
 }  // namespace pileus::cli

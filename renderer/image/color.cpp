@@ -21,7 +21,8 @@ namespace OCIO = OCIO_NAMESPACE;
 namespace pileus::image {
 namespace {
 
-// Everything OpenColorIO does without loss, so that the CPU and the GPU form agree; LUTs are inverted the same way in both.
+// Everything OpenColorIO does without loss, so that the CPU and the GPU form agree; LUTs are inverted the
+// same way in both.
 constexpr auto kOptimization = static_cast<OCIO::OptimizationFlags>(
     OCIO::OPTIMIZATION_LOSSLESS | OCIO::OPTIMIZATION_LUT_INV_FAST | OCIO::OPTIMIZATION_NO_DYNAMIC_PROPERTIES);
 
@@ -34,7 +35,8 @@ struct Display {
 void forwardLibraryLog() {
   static std::once_flag once;
   std::call_once(once, [] {
-    OCIO::SetLoggingFunction([](const char* message) { log::info("{}", clampReason(message ? message : "")); });
+    OCIO::SetLoggingFunction(
+        [](const char* message) { log::info("{}", clampReason(message ? message : "")); });
   });
 }
 
@@ -51,7 +53,12 @@ void addTextures(const OCIO::GpuShaderDesc& shader, std::vector<LutTexture>& out
     shader.get3DTexture(i, name, sampler, edge, interpolation);
     shader.get3DTextureValues(i, values);
     const std::size_t count = std::size_t(3) * edge * edge * edge;
-    out.push_back({sampler, 3, ivec3(static_cast<int>(edge)), 3, interpolation != OCIO::INTERP_NEAREST, {values, values + count}});
+    out.push_back({sampler,
+                   3,
+                   ivec3(static_cast<int>(edge)),
+                   3,
+                   interpolation != OCIO::INTERP_NEAREST,
+                   {values, values + count}});
   }
   for (unsigned i = 0; i < shader.getNumTextures(); ++i) {
     unsigned width = 0, height = 0;
@@ -61,8 +68,12 @@ void addTextures(const OCIO::GpuShaderDesc& shader, std::vector<LutTexture>& out
     const int channels = type == OCIO::GpuShaderDesc::TEXTURE_RED_CHANNEL ? 1 : 3;
     const std::size_t count = static_cast<std::size_t>(channels) * width * height;
     // A LUT longer than a texture row is folded into rows; OpenColorIO declares a sampler2D for those only.
-    out.push_back({sampler, height > 1 ? 2 : 1, ivec3(static_cast<int>(width), static_cast<int>(height), 1), channels,
-                   interpolation != OCIO::INTERP_NEAREST, {values, values + count}});
+    out.push_back({sampler,
+                   height > 1 ? 2 : 1,
+                   ivec3(static_cast<int>(width), static_cast<int>(height), 1),
+                   channels,
+                   interpolation != OCIO::INTERP_NEAREST,
+                   {values, values + count}});
   }
 }
 
@@ -79,7 +90,8 @@ struct ColorConfig::Impl {
   mutable std::map<std::pair<std::string, std::string>, GpuTransform> gpuTransforms;
 
   const Display* display(const std::string& name) const {
-    const auto it = std::find_if(displays.begin(), displays.end(), [&](const Display& d) { return d.name == name; });
+    const auto it =
+        std::find_if(displays.begin(), displays.end(), [&](const Display& d) { return d.name == name; });
     return it == displays.end() ? nullptr : &*it;
   }
 
@@ -89,18 +101,19 @@ struct ColorConfig::Impl {
     if (!d) {
       std::vector<std::string> names;
       for (const Display& each : displays) names.push_back(each.name);
-      return fail(Code::Arguments, "there is no display '{}'; the colour config has {}", displayName, quotedList(names));
+      return fail(Code::Arguments, "there is no display '{}'; the colour config has {}", displayName,
+                  quotedList(names));
     }
     if (viewName.empty()) return Choice(d->name, d->defaultView);
     if (std::find(d->views.begin(), d->views.end(), viewName) == d->views.end())
-      return fail(Code::Arguments, "there is no view '{}' for display '{}'; the colour config has {}", viewName, d->name,
-                  quotedList(d->views));
+      return fail(Code::Arguments, "there is no view '{}' for display '{}'; the colour config has {}",
+                  viewName, d->name, quotedList(d->views));
     return Choice(d->name, viewName);
   }
 
   Error failed(const Choice& choice, const std::exception& e) const {
-    return fail(Code::Input, "{}: view '{}' of display '{}' cannot be made: {}", description, choice.second, choice.first,
-                clampReason(e.what()));
+    return fail(Code::Input, "{}: view '{}' of display '{}' cannot be made: {}", description, choice.second,
+                choice.first, clampReason(e.what()));
   }
 
   /// May throw OCIO::Exception. The mutex is held.
@@ -132,20 +145,25 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& 
     name = file + " ($OCIO)";
   }
   if (file.rfind("ocio://", 0) == 0)
-    return fail(Code::Input, "{}: configs inside the library need OpenColorIO 2.2, this build has {}; give a file, or nothing for the shipped config",
+    return fail(Code::Input,
+                "{}: configs inside the library need OpenColorIO 2.2, this build has {}; give a file, or "
+                "nothing for the shipped config",
                 name, OCIO::GetVersion());
   auto impl = std::make_unique<Impl>();
   try {
     if (file.empty()) {
       name = "Pileus (ACEScg)";
       const auto files = embedded_color();
-      const auto shipped = std::find_if(files.begin(), files.end(), [](const EmbeddedFile& f) { return f.path == "pileus.ocio"; });
-      if (shipped == files.end()) return fail(Code::Internal, "the shipped colour config is not part of this build");
+      const auto shipped = std::find_if(files.begin(), files.end(),
+                                        [](const EmbeddedFile& f) { return f.path == "pileus.ocio"; });
+      if (shipped == files.end())
+        return fail(Code::Internal, "the shipped colour config is not part of this build");
       std::istringstream stream{std::string(shipped->bytes)};
       impl->config = OCIO::Config::CreateFromStream(stream);
     } else {
       const auto text = readFile(file, std::size_t(64) << 20);
-      if (!text) return fail(Code::Input, "{}{}", text.error().message, name == file ? "" : "; it is named by $OCIO");
+      if (!text)
+        return fail(Code::Input, "{}{}", text.error().message, name == file ? "" : "; it is named by $OCIO");
       PILEUS_CHECK(checkProfile(name, *text));
       impl->config = OCIO::Config::CreateFromFile(file.c_str());
     }
@@ -164,8 +182,10 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& 
   } catch (const std::exception& e) {
     return fail(Code::Input, "{}: not a usable colour config: {}", name, clampReason(e.what()));
   }
-  if (impl->displays.empty()) return fail(Code::Input, "{}: the colour config has no display with a view", name);
-  if (impl->source.space.empty()) return fail(Code::Input, "{}: the colour config has no colour spaces", name);
+  if (impl->displays.empty())
+    return fail(Code::Input, "{}: the colour config has no display with a view", name);
+  if (impl->source.space.empty())
+    return fail(Code::Input, "{}: the colour config has no colour spaces", name);
   try {
     impl->config->validate();
   } catch (const std::exception& e) {
@@ -208,15 +228,22 @@ Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const
     shader->setResourcePrefix("ocio_");
     impl_->processor(choice)->getOptimizedGPUProcessor(kOptimization)->extractGpuShaderInfo(shader);
     if (shader->getNumUniforms() != 0)
-      return fail(Code::Input, "{}: view '{}' of display '{}' has {} live parameters, which Pileus does not drive", impl_->description,
-                  choice.second, choice.first, shader->getNumUniforms());
+      return fail(Code::Input,
+                  "{}: view '{}' of display '{}' has {} live parameters, which Pileus does not drive",
+                  impl_->description, choice.second, choice.first, shader->getNumUniforms());
     GpuTransform out;
     out.glsl = shader->getShaderText();
     addTextures(*shader, out.textures);
     Hasher hash;
     hash.add(out.glsl);
     for (const LutTexture& t : out.textures) {
-      hash.add(t.sampler).add(t.dimensions).add(t.size.x).add(t.size.y).add(t.size.z).add(t.channels).add(t.linear);
+      hash.add(t.sampler)
+          .add(t.dimensions)
+          .add(t.size.x)
+          .add(t.size.y)
+          .add(t.size.z)
+          .add(t.channels)
+          .add(t.linear);
       hash.bytes(t.texels.data(), t.texels.size() * sizeof(float));
     }
     out.key = hash.key();
@@ -226,13 +253,15 @@ Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const
   }
 }
 
-Result<void> ColorConfig::applyCpu(const std::string& display, const std::string& view, float* rgba, std::size_t pixels) const {
+Result<void> ColorConfig::applyCpu(const std::string& display, const std::string& view, float* rgba,
+                                   std::size_t pixels) const {
   PILEUS_TRY(const auto choice, impl_->choose(display, view));
   try {
     OCIO::ConstCPUProcessorRcPtr cpu;
     {
       const std::lock_guard lock(impl_->mutex);
-      cpu = impl_->processor(choice)->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, kOptimization);
+      cpu = impl_->processor(choice)->getOptimizedCPUProcessor(OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32,
+                                                               kOptimization);
     }
     constexpr std::size_t kBlock = 4096;
     tbb::parallel_for(std::size_t(0), (pixels + kBlock - 1) / kBlock, [&](std::size_t block) {

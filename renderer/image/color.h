@@ -1,6 +1,7 @@
 #pragma once
-// Colour management: one OpenColorIO config (settings.ocio, else $OCIO, else the shipped one) and its display transforms.
-// Any thread, but a DisplayTransform's GPU text is compiled by renderer/view/display on the GL thread.
+// Colour management: one OpenColorIO config (settings.ocio, else $OCIO, else the shipped one) and its display
+// transforms. Any thread, but a DisplayTransform's GPU text is compiled by renderer/view/display on the GL
+// thread.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -13,11 +14,11 @@ namespace pileus::image {
 
 /// A texture the GPU form of a transform samples. RGB32F, or R32F where channels is 1.
 struct LutTexture {
-  std::string sampler;        ///< uniform name in the shader text
-  int dimensions = 1;         ///< 1 or 2 (1-D LUTs, as OCIO lays them out), 3
+  std::string sampler;  ///< uniform name in the shader text
+  int dimensions = 1;   ///< 1 or 2 (1-D LUTs, as OCIO lays them out), 3
   ivec3 size{1};
   int channels = 3;
-  bool linear = true;         ///< filter
+  bool linear = true;  ///< filter
   std::vector<float> texels;
 };
 
@@ -25,29 +26,31 @@ struct LutTexture {
 struct GpuTransform {
   std::string glsl;
   std::vector<LutTexture> textures;
-  Key key;                    ///< of text and texels
+  Key key;  ///< of text and texels
 };
 
 class ColorConfig {
  public:
-  /// "" = $OCIO if set, else the shipped config; otherwise a path. Error (Input) says what is wrong with the config; a config of
-  /// a newer profile than the library says so.
+  /// "" = $OCIO if set, else the shipped config; otherwise a path. Error (Input) says what is wrong with the
+  /// config; a config of a newer profile than the library says so.
   static Result<std::shared_ptr<const ColorConfig>> load(const std::string& path);
   ~ColorConfig();
 
-  std::string description() const;               ///< name or path, for the interface
+  std::string description() const;  ///< name or path, for the interface
   std::vector<std::string> displays() const;
   std::vector<std::string> views(const std::string& display) const;
   std::string defaultDisplay() const;
   std::string defaultView(const std::string& display) const;
-  /// The space of this config that ACEScg pixels are handed to: ACEScg itself; ACES2065-1 through the role aces_interchange,
-  /// after a built-in conversion; or, as description() then says, scene_linear taken as it is.
+  /// The space of this config that ACEScg pixels are handed to: ACEScg itself; ACES2065-1 through the role
+  /// aces_interchange, after a built-in conversion; or, as description() then says, scene_linear taken as it
+  /// is.
   std::string workingSpace() const;
 
   /// "" for display or view chooses the default. Error (Arguments) lists what exists.
   Result<GpuTransform> gpuTransform(const std::string& display, const std::string& view) const;
   /// In place, RGBA interleaved float pixels (alpha untouched): the CPU twin of gpuTransform.
-  Result<void> applyCpu(const std::string& display, const std::string& view, float* rgba, std::size_t pixels) const;
+  Result<void> applyCpu(const std::string& display, const std::string& view, float* rgba,
+                        std::size_t pixels) const;
 
  private:
   struct Impl;

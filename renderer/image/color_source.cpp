@@ -11,14 +11,15 @@ namespace pileus::image {
 namespace {
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
 bool namesAcesCg(const std::string& name) {
   const std::string n = lower(name);
-  return n == "acescg" || n == "lin_ap1" || n == "aces - acescg" || n == "linear acescg" || n == "acescg - linear" ||
-         n == "lin_acescg" || n == "utility - linear - ap1";
+  return n == "acescg" || n == "lin_ap1" || n == "aces - acescg" || n == "linear acescg" ||
+         n == "acescg - linear" || n == "lin_acescg" || n == "utility - linear - ap1";
 }
 
 bool isAcesCg(const OCIO::ConstColorSpaceRcPtr& space) {
@@ -36,14 +37,18 @@ ColorSource chooseColorSource(const OCIO::Config& config) {
   if (isAcesCg(sceneLinear)) return {sceneLinear->getName(), false, ""};
   const int count = config.getNumColorSpaces(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL);
   for (int i = 0; i < count; ++i) {
-    const char* name = config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, i);
+    const char* name =
+        config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, i);
     if (const auto space = config.getColorSpace(name); isAcesCg(space)) return {space->getName(), false, ""};
   }
   if (const auto aces = config.getColorSpace("aces_interchange"); aces) return {aces->getName(), true, ""};
   if (sceneLinear)
     return {sceneLinear->getName(), false,
-            fmt::format("it has no ACEScg and no aces_interchange role, so colours are taken as '{}'", sceneLinear->getName())};
-  const std::string first = count > 0 ? config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, 0) : "";
+            fmt::format("it has no ACEScg and no aces_interchange role, so colours are taken as '{}'",
+                        sceneLinear->getName())};
+  const std::string first =
+      count > 0 ? config.getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, 0)
+                : "";
   return {first, false, fmt::format("it has no scene_linear role, so colours are taken as '{}'", first)};
 }
 
@@ -55,12 +60,15 @@ Result<void> checkProfile(const std::string& name, const std::string& text) {
     if (line.compare(0, key.size(), key) != 0) continue;
     int major = 0, minor = 0;
     const int found = std::sscanf(line.c_str() + key.size(), "%9d.%9d", &major, &minor);
-    const int library = OCIO::GetVersionHex(), libraryMajor = library >> 24, libraryMinor = (library >> 16) & 0xff;
+    const int library = OCIO::GetVersionHex(), libraryMajor = library >> 24,
+              libraryMinor = (library >> 16) & 0xff;
     if (found >= 1 && std::pair(major, minor) > std::pair(libraryMajor, libraryMinor))
       return fail(Code::Input,
-                  "{}: the colour config has profile version {}.{}, newer than this build's OpenColorIO {}, which reads up to {}.{}; "
+                  "{}: the colour config has profile version {}.{}, newer than this build's OpenColorIO {}, "
+                  "which reads up to {}.{}; "
                   "use a config written for {}.{} or older",
-                  name, major, minor, OCIO::GetVersion(), libraryMajor, libraryMinor, libraryMajor, libraryMinor);
+                  name, major, minor, OCIO::GetVersion(), libraryMajor, libraryMinor, libraryMajor,
+                  libraryMinor);
     return {};
   }
   return fail(Code::Input, "{}: not an OpenColorIO config (no line 'ocio_profile_version:')", name);

@@ -11,14 +11,17 @@ namespace pileus::image {
 
 enum class PixelType { Half, Float };
 constexpr auto enumInfo(PixelType*) {
-  return std::array{EnumItem<PixelType>{PixelType::Half, "half", "Half", "16-bit float: enough for pictures, half the size."},
-                    EnumItem<PixelType>{PixelType::Float, "float", "Float", "32-bit float: for data and measurements."}};
+  return std::array{
+      EnumItem<PixelType>{PixelType::Half, "half", "Half",
+                          "16-bit float: enough for pictures, half the size."},
+      EnumItem<PixelType>{PixelType::Float, "float", "Float", "32-bit float: for data and measurements."}};
 }
 
 enum class Compression { None, Zips, Zip, Piz, Dwaa };
 constexpr auto enumInfo(Compression*) {
   return std::array{EnumItem<Compression>{Compression::None, "none", "None", "No compression."},
-                    EnumItem<Compression>{Compression::Zips, "zips", "ZIPS", "Lossless, one row a block: fast to scrub in compositors."},
+                    EnumItem<Compression>{Compression::Zips, "zips", "ZIPS",
+                                          "Lossless, one row a block: fast to scrub in compositors."},
                     EnumItem<Compression>{Compression::Zip, "zip", "ZIP", "Lossless, 16 rows a block."},
                     EnumItem<Compression>{Compression::Piz, "piz", "PIZ", "Lossless wavelet: best on grain."},
                     EnumItem<Compression>{Compression::Dwaa, "dwaa", "DWAA", "Lossy: for previews only."}};
@@ -29,14 +32,15 @@ struct ExrOptions {
   Compression compression = Compression::Zip;
 };
 
-/// Atomic (temporary file, rename). Half: values are clamped to the largest finite half. A NaN or infinity in the input makes
-/// the call fail (Internal) naming layer and pixel: none ever reaches a file. Error (Input) names an unwritable path. Metadata
-/// names beyond the 31 characters of EXR are shortened, ending in digits of their hash.
+/// Atomic (temporary file, rename). Half: values are clamped to the largest finite half. A NaN or infinity in
+/// the input makes the call fail (Internal) naming layer and pixel: none ever reaches a file. Error (Input)
+/// names an unwritable path. Metadata names beyond the 31 characters of EXR are shortened, ending in digits
+/// of their hash.
 Result<void> writeExr(const std::filesystem::path& path, const Image& image, const ExrOptions& options = {});
-/// Any flat EXR (scanline or tiled, half/float/uint), first part. Channels R,G,B(,A), X,Y,Z and Y become layers by their prefix;
-/// any other channel is a layer of its own, of its full name; the beauty comes first. Without chromaticities in the file they are
-/// Rec. 709's, as the format has it. Values are as stored, NaNs included. Error (Input) on damaged, deep, sub-sampled or absurdly
-/// large files, never a crash.
+/// Any flat EXR (scanline or tiled, half/float/uint), first part. Channels R,G,B(,A), X,Y,Z and Y become
+/// layers by their prefix; any other channel is a layer of its own, of its full name; the beauty comes first.
+/// Without chromaticities in the file they are Rec. 709's, as the format has it. Values are as stored, NaNs
+/// included. Error (Input) on damaged, deep, sub-sampled or absurdly large files, never a crash.
 Result<Image> readExr(const std::filesystem::path& path);
 
 }  // namespace pileus::image

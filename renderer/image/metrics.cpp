@@ -26,18 +26,21 @@ double distance(float a, float b) {
 
 Result<void> checkComparable(const Image& a, const Image& b) {
   if (a.size != b.size)
-    return fail(Code::Input, "the pictures differ in size: {} x {} and {} x {}", a.size.x, a.size.y, b.size.x, b.size.y);
+    return fail(Code::Input, "the pictures differ in size: {} x {} and {} x {}", a.size.x, a.size.y, b.size.x,
+                b.size.y);
   if (a.dataOrigin != b.dataOrigin)
-    return fail(Code::Input, "the pictures' data windows begin at ({}, {}) and ({}, {})", a.dataOrigin.x, a.dataOrigin.y,
-                b.dataOrigin.x, b.dataOrigin.y);
-  if (a.layers.empty() || b.layers.empty()) return fail(Code::Input, "a picture without layers cannot be compared");
+    return fail(Code::Input, "the pictures' data windows begin at ({}, {}) and ({}, {})", a.dataOrigin.x,
+                a.dataOrigin.y, b.dataOrigin.x, b.dataOrigin.y);
+  if (a.layers.empty() || b.layers.empty())
+    return fail(Code::Input, "a picture without layers cannot be compared");
   const auto missing = [](const Image& one, const Image& other, const char* which) -> Result<void> {
     for (const Layer& layer : one.layers) {
       const Layer* twin = other.layer(layer.name);
       const std::string name = layer.name.empty() ? "the beauty layer" : "layer '" + layer.name + "'";
       if (!twin) return fail(Code::Input, "the {} picture has {}, the other does not", which, name);
       if (twin->channels != layer.channels)
-        return fail(Code::Input, "{} has {} channels in the {} picture and {} in the other", name, layer.channels, which, twin->channels);
+        return fail(Code::Input, "{} has {} channels in the {} picture and {} in the other", name,
+                    layer.channels, which, twin->channels);
     }
     return {};
   };
@@ -70,7 +73,8 @@ std::optional<double> relativeMse(const Layer& a, const Layer& b, bool covered) 
   for (std::size_t first = 0; first < a.pixels.size(); first += stride) {
     if (covered && stride == 4 && !(b.pixels[first + 3] > 0.01f)) continue;
     for (std::size_t c = 0; c < colors; ++c) {
-      const double d = distance(a.pixels[first + c], b.pixels[first + c]), reference = double(b.pixels[first + c]);
+      const double d = distance(a.pixels[first + c], b.pixels[first + c]),
+                   reference = double(b.pixels[first + c]);
       if (d > 0.0) sum += std::isfinite(d) ? d * d / (reference * reference + 0.01) : d;
       ++count;
     }

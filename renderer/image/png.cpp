@@ -34,7 +34,8 @@ void append(void* context, void* data, int size) {
 Result<void> writePng(const std::filesystem::path& path, ivec2 size, const float* rgba) {
   // 8-bit rows are addressed with int by stb.
   if (size.x < 1 || size.y < 1 || std::int64_t(size.x) * size.y > (std::int64_t(1) << 28))
-    return fail(Code::Arguments, "{}: a picture of {} x {} pixels cannot be written", path.string(), size.x, size.y);
+    return fail(Code::Arguments, "{}: a picture of {} x {} pixels cannot be written", path.string(), size.x,
+                size.y);
   const std::size_t width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
   std::vector<unsigned char> bytes(width * height * 3);
   for (std::size_t y = 0; y < height; ++y)
@@ -44,7 +45,8 @@ Result<void> writePng(const std::filesystem::path& path, ivec2 size, const float
       for (std::size_t c = 0; c < 3; ++c) {
         const float value = rgba[pixel * 4 + c];
         const float shown = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // a NaN is black
-        bytes[pixel * 3 + c] = static_cast<unsigned char>(std::min(std::floor(shown * 255.0f + threshold), 255.0f));
+        bytes[pixel * 3 + c] =
+            static_cast<unsigned char>(std::min(std::floor(shown * 255.0f + threshold), 255.0f));
       }
     }
   std::string file;

@@ -5,7 +5,8 @@
 
 namespace pileus::image {
 
-/// At most 1 KB on one line: control characters and runs of white space become one space, bytes outside ASCII '?'.
+/// At most 1 KB on one line: control characters and runs of white space become one space, bytes outside ASCII
+/// '?'.
 inline std::string clampReason(std::string_view text) {
   constexpr std::size_t kLongest = 1024;
   std::string out;

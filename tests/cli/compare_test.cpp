@@ -15,7 +15,8 @@ fs::path writePicture(const std::string& name, ivec2 size, float value) {
   image::Image picture;
   picture.size = size;
   image::Layer layer{"", 4, {}};
-  for (int i = 0; i < size.x * size.y; ++i) layer.pixels.insert(layer.pixels.end(), {value, value, value, 1.0f});
+  for (int i = 0; i < size.x * size.y; ++i)
+    layer.pixels.insert(layer.pixels.end(), {value, value, value, 1.0f});
   picture.layers = {layer};
   const fs::path path = test::scratchFolder() / name;
   const auto written = image::writeExr(path, picture, {image::PixelType::Float, image::Compression::Zip});
@@ -28,7 +29,8 @@ TEST(Compare, PrintsEveryMeasure) {
   const auto result = test::pileus({"compare", a.string(), b.string()});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(result.err, "");
-  for (const char* expected : {"RMSE   0.25\n", "relMSE 0.240385\n", "max    0.25\n", "\nR ", "\nG ", "\nB ", "\nA "})
+  for (const char* expected :
+       {"RMSE   0.25\n", "relMSE 0.240385\n", "max    0.25\n", "\nR ", "\nG ", "\nB ", "\nA "})
     EXPECT_NE(result.out.find(expected), std::string::npos) << expected << " in\n" << result.out;
 }
 

@@ -27,7 +27,8 @@ TEST(ColorFiles, ShippedViewsEqualThoseOfTheAcesConfig) {
   const Config ours = load(std::string(PILEUS_SOURCE_DIR) + "/presets/color/pileus.ocio");
   const Config aces = load(ocioFile("aces_builtin/cg-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio"));
   ASSERT_TRUE(ours && aces);
-  constexpr std::array<std::array<const char*, 2>, 2> displays{{{"sRGB", "sRGB - Display"}, {"Rec.709", "Rec.1886 Rec.709 - Display"}}};
+  constexpr std::array<std::array<const char*, 2>, 2> displays{
+      {{"sRGB", "sRGB - Display"}, {"Rec.709", "Rec.1886 Rec.709 - Display"}}};
   constexpr std::array<std::array<const char*, 2>, 3> views{
       {{"ACES 1.0 SDR", "ACES 1.0 - SDR Video"}, {"Un-tone-mapped", "Un-tone-mapped"}, {"Raw", "Raw"}}};
   for (const auto& display : displays)
@@ -39,15 +40,18 @@ TEST(ColorFiles, ShippedViewsEqualThoseOfTheAcesConfig) {
       std::vector<float> b = a;
       ASSERT_TRUE(ours->applyCpu(display[0], view[0], a.data(), a.size() / 4));
       ASSERT_TRUE(aces->applyCpu(display[1], view[1], b.data(), b.size() / 4));
-      for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-4f) << display[0] << " / " << view[0] << ' ' << i;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        ASSERT_NEAR(a[i], b[i], 1e-4f) << display[0] << " / " << view[0] << ' ' << i;
     }
 }
 
 TEST(ColorFiles, EveryViewOfEveryConfigWorksAndAgreesWithItsTextures) {
   PILEUS_NEEDS_DATA();
-  for (const char* name : {"aces_builtin/cg-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio", "aces_builtin/studio-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio",
-                           "nuke-default_osl/config.ocio", "ocio-v2_demo/ocio-v2_demo.ocio", "blender-3.4-filmic/config.ocio",
-                           "xstudio/xstudio-config-v2.1.0_aces-v1.3_ocio-v2.1.ocio"}) {
+  for (const char* name :
+       {"aces_builtin/cg-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio",
+        "aces_builtin/studio-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio", "nuke-default_osl/config.ocio",
+        "ocio-v2_demo/ocio-v2_demo.ocio", "blender-3.4-filmic/config.ocio",
+        "xstudio/xstudio-config-v2.1.0_aces-v1.3_ocio-v2.1.ocio"}) {
     const Config config = load(ocioFile(name));
     ASSERT_TRUE(config);
     for (const std::string& display : config->displays())
@@ -55,14 +59,16 @@ TEST(ColorFiles, EveryViewOfEveryConfigWorksAndAgreesWithItsTextures) {
         std::array<float, 8> pixels{0.18f, 0.18f, 0.18f, 1.0f, 4.0f, 2.0f, 1.0f, 0.5f};
         const auto cpu = config->applyCpu(display, view, pixels.data(), 2);
         ASSERT_TRUE(cpu) << cpu.error().message;
-        EXPECT_TRUE(std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v); })) << view;
+        EXPECT_TRUE(std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v); }))
+            << view;
         const auto gpu = config->gpuTransform(display, view);
         ASSERT_TRUE(gpu) << gpu.error().message;
         for (const LutTexture& t : gpu->textures) {
           const std::string declaration = fmt::format("uniform sampler{}D {};", t.dimensions, t.sampler);
           EXPECT_NE(gpu->glsl.find(declaration), std::string::npos) << declaration;
           EXPECT_EQ(t.texels.size(), static_cast<std::size_t>(t.size.x * t.size.y * t.size.z * t.channels));
-          EXPECT_TRUE(std::all_of(t.texels.begin(), t.texels.end(), [](float v) { return std::isfinite(v); }));
+          EXPECT_TRUE(
+              std::all_of(t.texels.begin(), t.texels.end(), [](float v) { return std::isfinite(v); }));
         }
         const auto declared = [&](const char* type) {
           std::size_t n = 0;
@@ -76,12 +82,14 @@ TEST(ColorFiles, EveryViewOfEveryConfigWorksAndAgreesWithItsTextures) {
 
 TEST(ColorFiles, NewerProfilesAreRefusedWithBothVersions) {
   PILEUS_NEEDS_DATA();
-  for (const auto& [name, version] : {std::pair("cg-config-v2.1.0_aces-v1.3_ocio-v2.3.ocio", "2.3"), {"cg-config-v2.2.0_aces-v1.3_ocio-v2.4.ocio", "2.4"},
+  for (const auto& [name, version] : {std::pair("cg-config-v2.1.0_aces-v1.3_ocio-v2.3.ocio", "2.3"),
+                                      {"cg-config-v2.2.0_aces-v1.3_ocio-v2.4.ocio", "2.4"},
                                       {"cg-config-v4.0.0_aces-v2.0_ocio-v2.5.ocio", "2.5"}}) {
     const auto config = ColorConfig::load(ocioFile(std::string("aces_builtin/") + name));
     if (config) GTEST_SKIP() << "this OpenColorIO reads profile " << version;
     EXPECT_EQ(config.error().code, Code::Input);
-    EXPECT_NE(config.error().message.find(std::string("profile version ") + version), std::string::npos) << config.error().message;
+    EXPECT_NE(config.error().message.find(std::string("profile version ") + version), std::string::npos)
+        << config.error().message;
     EXPECT_NE(config.error().message.find("OpenColorIO 2."), std::string::npos) << config.error().message;
     EXPECT_NE(config.error().message.find(name), std::string::npos);
   }

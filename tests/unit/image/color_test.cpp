@@ -24,12 +24,16 @@ using Config = std::shared_ptr<const ColorConfig>;
 struct OcioVariable {
   explicit OcioVariable(const std::string& value) {
     if (const char* old = std::getenv("OCIO")) before = old;
-    if (value.empty()) ::unsetenv("OCIO");
-    else ::setenv("OCIO", value.c_str(), 1);
+    if (value.empty())
+      ::unsetenv("OCIO");
+    else
+      ::setenv("OCIO", value.c_str(), 1);
   }
   ~OcioVariable() {
-    if (before) ::setenv("OCIO", before->c_str(), 1);
-    else ::unsetenv("OCIO");
+    if (before)
+      ::setenv("OCIO", before->c_str(), 1);
+    else
+      ::unsetenv("OCIO");
   }
   std::optional<std::string> before;
 };
@@ -57,13 +61,16 @@ dmat3 xyzFromRgb(const dvec2& r, const dvec2& g, const dvec2& b, const dvec2& wh
   return dmat3(primaries[0] * scale.x, primaries[1] * scale.y, primaries[2] * scale.z);
 }
 
-/// ACEScg to linear RGB of the given primaries at D65, Bradford adaptation; from the published chromaticities alone.
+/// ACEScg to linear RGB of the given primaries at D65, Bradford adaptation; from the published chromaticities
+/// alone.
 dmat3 fromAcesCg(const dvec2& r, const dvec2& g, const dvec2& b) {
   const dvec2 acesWhite(0.32168, 0.33767), d65(0.3127, 0.3290);
-  const dmat3 bradford = glm::transpose(dmat3(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296));
+  const dmat3 bradford =
+      glm::transpose(dmat3(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296));
   const dvec3 gain = (bradford * xyzFromXy(d65)) / (bradford * xyzFromXy(acesWhite));
   const dmat3 adapt = glm::inverse(bradford) * dmat3(gain.x, 0, 0, 0, gain.y, 0, 0, 0, gain.z) * bradford;
-  return glm::inverse(xyzFromRgb(r, g, b, d65)) * adapt * xyzFromRgb({0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, acesWhite);
+  return glm::inverse(xyzFromRgb(r, g, b, d65)) * adapt *
+         xyzFromRgb({0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, acesWhite);
 }
 
 const dmat3 kRec709FromAcesCg = fromAcesCg({0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06});
@@ -73,8 +80,9 @@ double srgbEncode(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::p
 double srgbDecode(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 /// Colours inside both gamuts, so that every curve is defined for them; some are far above 1.
-const std::vector<vec3> kColors{{0.18f, 0.18f, 0.18f}, {1.0f, 1.0f, 1.0f}, {0.02f, 0.02f, 0.02f}, {0.5f, 0.3f, 0.2f},
-                                {0.2f, 0.4f, 0.3f},    {0.1f, 0.15f, 0.4f}, {4.0f, 3.0f, 2.5f},    {0.003f, 0.002f, 0.004f}};
+const std::vector<vec3> kColors{{0.18f, 0.18f, 0.18f}, {1.0f, 1.0f, 1.0f},      {0.02f, 0.02f, 0.02f},
+                                {0.5f, 0.3f, 0.2f},    {0.2f, 0.4f, 0.3f},      {0.1f, 0.15f, 0.4f},
+                                {4.0f, 3.0f, 2.5f},    {0.003f, 0.002f, 0.004f}};
 
 TEST(Color, ShippedConfigIsTheDefault) {
   const Config config = shipped();
@@ -98,7 +106,8 @@ TEST(Color, UnToneMappedIsAMatrixAndACurve) {
   const Config config = shipped();
   for (const vec3& color : kColors) {
     const dvec3 rec709 = kRec709FromAcesCg * dvec3(color), p3 = kP3FromAcesCg * dvec3(color);
-    const vec3 srgb = show(config, "sRGB", "Un-tone-mapped", color), hd = show(config, "Rec.709", "Un-tone-mapped", color),
+    const vec3 srgb = show(config, "sRGB", "Un-tone-mapped", color),
+               hd = show(config, "Rec.709", "Un-tone-mapped", color),
                wide = show(config, "Display P3", "Un-tone-mapped", color);
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(srgb[c], srgbEncode(rec709[c]), 1e-4) << c;
@@ -134,7 +143,8 @@ TEST(Color, NothingIsClampedBeforeTheView) {
     }
   }
   // Negative values too; only the ACES rendering itself drops them.
-  EXPECT_LT(show(config, "sRGB", "Un-tone-mapped", {-0.2f, 0.5f, 0.5f}).r, show(config, "sRGB", "Un-tone-mapped", {0.0f, 0.5f, 0.5f}).r - 0.01f);
+  EXPECT_LT(show(config, "sRGB", "Un-tone-mapped", {-0.2f, 0.5f, 0.5f}).r,
+            show(config, "sRGB", "Un-tone-mapped", {0.0f, 0.5f, 0.5f}).r - 0.01f);
   EXPECT_GT(show(config, "sRGB", "Un-tone-mapped", vec3(16.0f)).r, 3.0f);
 }
 
@@ -142,7 +152,8 @@ TEST(Color, ManyPixelsEqualSinglePixels) {
   const Config config = shipped();
   std::vector<float> pixels;
   for (std::size_t i = 0; i < 20000; ++i)
-    for (const float v : {kColors[i % 8].r, kColors[i % 8].g, kColors[i % 8].b, static_cast<float>(i)}) pixels.push_back(v);
+    for (const float v : {kColors[i % 8].r, kColors[i % 8].g, kColors[i % 8].b, static_cast<float>(i)})
+      pixels.push_back(v);
   ASSERT_TRUE(config->applyCpu("", "", pixels.data(), 20000));
   for (std::size_t i = 0; i < 20000; i += 777) {
     const vec3 one = show(config, "", "", kColors[i % 8]);
@@ -179,7 +190,8 @@ TEST(Color, UnknownNamesListWhatExists) {
   const auto view = config->applyCpu("sRGB", "Film", pixel, 1);
   ASSERT_FALSE(view);
   EXPECT_EQ(view.error().code, Code::Arguments);
-  EXPECT_NE(view.error().message.find("'ACES 1.0 SDR', 'Un-tone-mapped', 'Raw'"), std::string::npos) << view.error().message;
+  EXPECT_NE(view.error().message.find("'ACES 1.0 SDR', 'Un-tone-mapped', 'Raw'"), std::string::npos)
+      << view.error().message;
   EXPECT_TRUE(config->views("CRT").empty());
 }
 
@@ -195,7 +207,8 @@ TEST(Color, BrokenConfigsSayWhatIsWrong) {
     EXPECT_EQ(config.error().code, Code::Input);
     EXPECT_EQ(config.error().message.find((folder / name).string()), 0u) << config.error().message;
   }
-  EXPECT_NE(ColorConfig::load((folder / "future.ocio").string()).error().message.find("profile version 3.7"), std::string::npos);
+  EXPECT_NE(ColorConfig::load((folder / "future.ocio").string()).error().message.find("profile version 3.7"),
+            std::string::npos);
   EXPECT_FALSE(ColorConfig::load("ocio://default"));
 }
 
@@ -216,7 +229,8 @@ TEST(Color, EnvironmentVariableChoosesTheConfig) {
 }
 
 std::string smallConfig(const std::string& roles) {
-  return "ocio_profile_version: 2\nstrictparsing: true\nroles:\n  default: lin709\n  scene_linear: lin709\n" + roles +
+  return "ocio_profile_version: 2\nstrictparsing: true\nroles:\n  default: lin709\n  scene_linear: lin709\n" +
+         roles +
          "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"
          "displays:\n  Screen:\n    - !<View> {name: Plain, colorspace: lin709}\n"
          "colorspaces:\n"

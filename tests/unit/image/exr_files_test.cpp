@@ -33,7 +33,8 @@ TEST(ExrFiles, ConformancePicturesRead) {
       ASSERT_TRUE(read) << read.error().message;
       ASSERT_FALSE(read->layers.empty());
       for (const Layer& layer : read->layers)
-        EXPECT_EQ(layer.pixels.size(), static_cast<std::size_t>(read->size.x) * static_cast<std::size_t>(read->size.y) *
+        EXPECT_EQ(layer.pixels.size(), static_cast<std::size_t>(read->size.x) *
+                                           static_cast<std::size_t>(read->size.y) *
                                            static_cast<std::size_t>(layer.channels))
             << path;
     }
@@ -81,7 +82,8 @@ TEST(ExrFiles, RoundTripOfARealPicture) {
   EXPECT_EQ(again->dataOrigin, read->dataOrigin);
   EXPECT_EQ(again->displaySize, read->displaySize);
   ASSERT_EQ(again->layers.size(), read->layers.size());
-  for (std::size_t i = 0; i < read->layers.size(); ++i) EXPECT_EQ(again->layers[i].pixels, read->layers[i].pixels);
+  for (std::size_t i = 0; i < read->layers.size(); ++i)
+    EXPECT_EQ(again->layers[i].pixels, read->layers[i].pixels);
 }
 
 /// Each file in a process of its own, so that a crash or a hang is reported by the file's name.
@@ -96,8 +98,9 @@ TEST(ExrFiles, DamagedFilesEndInAnErrorOrAPicture) {
     if (child == 0) {
       ::alarm(10);
       const auto read = readExr(path);
-      const bool clear = read || (read.error().code == Code::Input && read.error().message.find(path.string()) == 0 &&
-                                  read.error().message.size() <= path.string().size() + 1200);
+      const bool clear =
+          read || (read.error().code == Code::Input && read.error().message.find(path.string()) == 0 &&
+                   read.error().message.size() <= path.string().size() + 1200);
       ::_exit(!clear ? 1 : read ? 0 : 3);
     }
     int status = 0;

@@ -1,4 +1,5 @@
-// EXR files laid out as other programs do: tiles, integers, vectors, lone channels, sub-sampling, deep data, several parts.
+// EXR files laid out as other programs do: tiles, integers, vectors, lone channels, sub-sampling, deep data,
+// several parts.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDeepFrameBuffer.h>
 #include <OpenEXR/ImfDeepScanLineOutputFile.h>
@@ -22,7 +23,9 @@ namespace fs = std::filesystem;
 constexpr int kWidth = 50, kHeight = 30;
 
 /// Channel number and pixel in one float that half holds exactly.
-float valueAt(std::size_t channel, int x, int y) { return static_cast<float>(static_cast<int>(channel) * 128 + (x + y * 3) % 128); }
+float valueAt(std::size_t channel, int x, int y) {
+  return static_cast<float>(static_cast<int>(channel) * 128 + (x + y * 3) % 128);
+}
 
 struct Planes {
   std::vector<std::vector<float>> values;
@@ -34,7 +37,8 @@ struct Planes {
         for (int x = 0; x < kWidth; ++x) plane.push_back(valueAt(c, x, y));
     }
     for (std::size_t c = 0; c < channels.size(); ++c)
-      frame.insert(channels[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values[c].data()), sizeof(float), sizeof(float) * kWidth));
+      frame.insert(channels[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values[c].data()),
+                                           sizeof(float), sizeof(float) * kWidth));
   }
 };
 
@@ -59,16 +63,21 @@ void expectChannel(const Image& image, const std::string& layer, int component, 
   ASSERT_LT(component, l->channels) << layer;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
-      ASSERT_EQ(l->pixels[static_cast<std::size_t>((y * kWidth + x) * l->channels + component)], valueAt(channel, x, y)) << layer;
+      ASSERT_EQ(l->pixels[static_cast<std::size_t>((y * kWidth + x) * l->channels + component)],
+                valueAt(channel, x, y))
+          << layer;
 }
 
 TEST(ExrForeign, ChannelsBecomeLayersByPrefix) {
-  const std::vector<std::string> channels{"A", "B", "G", "N.X", "N.Y", "N.Z", "R", "Z", "light.key.B", "light.key.G", "light.key.R", "mask.Y", "uv.u", "uv.v"};
+  const std::vector<std::string> channels{"A",           "B",      "G",    "N.X",         "N.Y",
+                                          "N.Z",         "R",      "Z",    "light.key.B", "light.key.G",
+                                          "light.key.R", "mask.Y", "uv.u", "uv.v"};
   const auto read = readExr(writeFloat(channels));
   ASSERT_TRUE(read) << read.error().message;
   std::vector<std::string> names;
   for (const Layer& layer : read->layers) names.push_back(layer.name + ":" + std::to_string(layer.channels));
-  EXPECT_EQ(names, (std::vector<std::string>{":4", "Z:1", "N:3", "light.key:3", "mask:1", "uv.u:1", "uv.v:1"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{":4", "Z:1", "N:3", "light.key:3", "mask:1", "uv.u:1", "uv.v:1"}));
   expectChannel(*read, "", 0, 6);
   expectChannel(*read, "", 3, 0);
   expectChannel(*read, "N", 0, 3);
@@ -179,7 +188,8 @@ TEST(ExrForeign, SubSampledAndLuminanceChromaFilesAreRefusedByName) {
     Planes planes({"Y", "RY"});
     Imf::FrameBuffer frame;
     frame.insert("Y", *planes.frame.findSlice("Y"));
-    frame.insert("RY", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(planes.values[1].data()), 4, 4 * kWidth, 2, 2));
+    frame.insert(
+        "RY", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(planes.values[1].data()), 4, 4 * kWidth, 2, 2));
     Imf::OutputFile file(path.c_str(), h, 0);
     file.setFrameBuffer(frame);
     file.writePixels(kHeight);
@@ -205,7 +215,8 @@ TEST(ExrForeign, DeepFilesAreRefusedByName) {
     for (float& s : samples) pointers.push_back(&s);
     Imf::DeepFrameBuffer frame;
     frame.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data()), 4, 16));
-    frame.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(pointers.data()), sizeof(float*), sizeof(float*) * 4, sizeof(float)));
+    frame.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(pointers.data()), sizeof(float*),
+                                     sizeof(float*) * 4, sizeof(float)));
     Imf::DeepScanLineOutputFile file(path.c_str(), h, 0);
     file.setFrameBuffer(frame);
     file.writePixels(4);

@@ -24,7 +24,8 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 Layer makeLayer(const std::string& name, int channels, ivec2 size) {
   Layer layer{name, channels, {}};
   unsigned state = 1u + static_cast<unsigned>(name.size()) * 977u + static_cast<unsigned>(channels);
-  const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(channels);
+  const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                            static_cast<std::size_t>(channels);
   for (std::size_t i = 0; i < count; ++i) {
     state = state * 1664525u + 1013904223u;
     const float mantissa = static_cast<float>(state >> 8) / 8388608.0f - 1.0f;
@@ -45,8 +46,10 @@ void expectClose(const Layer& expected, const Layer& read, float relative) {
   ASSERT_EQ(expected.channels, read.channels) << expected.name;
   ASSERT_EQ(expected.pixels.size(), read.pixels.size()) << expected.name;
   for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
-    const float tolerance = relative == 0.0f ? 0.0f : std::max(std::abs(expected.pixels[i]) * relative, 6e-8f);
-    ASSERT_LE(std::abs(expected.pixels[i] - read.pixels[i]), tolerance) << "layer '" << expected.name << "', value " << i;
+    const float tolerance =
+        relative == 0.0f ? 0.0f : std::max(std::abs(expected.pixels[i]) * relative, 6e-8f);
+    ASSERT_LE(std::abs(expected.pixels[i] - read.pixels[i]), tolerance)
+        << "layer '" << expected.name << "', value " << i;
   }
 }
 
@@ -69,15 +72,19 @@ TEST_P(RoundTrip, KeepsEveryLayer) {
     for (const Layer& layer : image.layers) {
       const Layer* twin = read->layer(layer.name);
       ASSERT_TRUE(twin) << layer.name;
-      // DWAA is lossy by design and meant for smooth pictures; here only the frame around the values is of interest.
-      if (GetParam() == Compression::Dwaa) EXPECT_EQ(twin->pixels.size(), layer.pixels.size());
-      else expectClose(layer, *twin, type == PixelType::Half ? 1.0f / 2048.0f : 0.0f);
+      // DWAA is lossy by design and meant for smooth pictures; here only the frame around the values is of
+      // interest.
+      if (GetParam() == Compression::Dwaa)
+        EXPECT_EQ(twin->pixels.size(), layer.pixels.size());
+      else
+        expectClose(layer, *twin, type == PixelType::Half ? 1.0f / 2048.0f : 0.0f);
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Exr, RoundTrip,
-                         testing::Values(Compression::None, Compression::Zips, Compression::Zip, Compression::Piz, Compression::Dwaa),
+                         testing::Values(Compression::None, Compression::Zips, Compression::Zip,
+                                         Compression::Piz, Compression::Dwaa),
                          [](const auto& param) { return std::string(enumId(param.param)); });
 
 TEST(Exr, DwaaStaysNearSmoothPictures) {
@@ -86,13 +93,15 @@ TEST(Exr, DwaaStaysNearSmoothPictures) {
   Layer layer{"", 4, {}};
   for (int y = 0; y < 96; ++y)
     for (int x = 0; x < 128; ++x)
-      for (int c = 0; c < 4; ++c) layer.pixels.push_back(c == 3 ? 1.0f : 0.5f + 0.4f * std::sin(0.05f * static_cast<float>(x + c * y)));
+      for (int c = 0; c < 4; ++c)
+        layer.pixels.push_back(c == 3 ? 1.0f : 0.5f + 0.4f * std::sin(0.05f * static_cast<float>(x + c * y)));
   image.layers = {layer};
   const fs::path path = test::scratchFolder() / "smooth.exr";
   ASSERT_TRUE(writeExr(path, image, {PixelType::Half, Compression::Dwaa}));
   const auto read = readExr(path);
   ASSERT_TRUE(read) << read.error().message;
-  for (std::size_t i = 0; i < layer.pixels.size(); ++i) ASSERT_NEAR(read->layers[0].pixels[i], layer.pixels[i], 0.02f) << i;
+  for (std::size_t i = 0; i < layer.pixels.size(); ++i)
+    ASSERT_NEAR(read->layers[0].pixels[i], layer.pixels[i], 0.02f) << i;
 }
 
 TEST(Exr, ChannelNamesAreThoseOfOtherPrograms) {
@@ -178,7 +187,8 @@ TEST(Exr, NonFiniteValuesReachNoFile) {
     const auto written = writeExr(path, image);
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, Code::Internal);
-    EXPECT_NE(written.error().message.find("layer 'direct', channel G, pixel (5, 3)"), std::string::npos) << written.error().message;
+    EXPECT_NE(written.error().message.find("layer 'direct', channel G, pixel (5, 3)"), std::string::npos)
+        << written.error().message;
     EXPECT_FALSE(fs::exists(path));
   }
 }
@@ -246,8 +256,10 @@ TEST(Exr, MutatedFilesNeverCrash) {
     std::mt19937 random(run);
     std::string bytes = seeds[run % seeds.size()];
     for (auto changes = 1 + random() % 6; changes > 0; --changes) {
-      const std::size_t at = random() % (random() % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 700));
-      bytes[at] = static_cast<char>(random() % 2 ? random() : static_cast<unsigned char>(bytes[at]) ^ 1u << random() % 8);
+      const std::size_t at =
+          random() % (random() % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 700));
+      bytes[at] = static_cast<char>(
+          random() % 2 ? random() : static_cast<unsigned char>(bytes[at]) ^ 1u << random() % 8);
     }
     std::ofstream(folder / "mutated.exr", std::ios::binary) << bytes;
     const pid_t child = ::fork();
@@ -268,7 +280,8 @@ TEST(Exr, EveryTruncationIsAnError) {
   ASSERT_TRUE(writeExr(folder / "whole.exr", makeImage({16, 40})));
   const std::string whole = *readFile(folder / "whole.exr");
   for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 97) {
-    std::ofstream(folder / "cut.exr", std::ios::binary).write(whole.data(), static_cast<std::streamsize>(length));
+    std::ofstream(folder / "cut.exr", std::ios::binary)
+        .write(whole.data(), static_cast<std::streamsize>(length));
     const auto read = readExr(folder / "cut.exr");
     ASSERT_FALSE(read) << length << " of " << whole.size() << " bytes";
     EXPECT_EQ(read.error().code, Code::Input);

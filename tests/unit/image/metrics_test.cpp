@@ -13,7 +13,8 @@ Image constant(ivec2 size, const std::vector<float>& pixel) {
   Image image;
   image.size = size;
   Layer layer{"", static_cast<int>(pixel.size()), {}};
-  for (int i = 0; i < size.x * size.y; ++i) layer.pixels.insert(layer.pixels.end(), pixel.begin(), pixel.end());
+  for (int i = 0; i < size.x * size.y; ++i)
+    layer.pixels.insert(layer.pixels.end(), pixel.begin(), pixel.end());
   image.layers = {layer};
   return image;
 }
@@ -30,7 +31,8 @@ TEST(Metrics, EqualPicturesDoNotDiffer) {
 }
 
 TEST(Metrics, ConstantOffset) {
-  const auto d = compare(constant({8, 8}, {0.75f, 0.5f, 0.25f, 1.0f}), constant({8, 8}, {0.5f, 0.5f, 0.5f, 0.75f}));
+  const auto d =
+      compare(constant({8, 8}, {0.75f, 0.5f, 0.25f, 1.0f}), constant({8, 8}, {0.5f, 0.5f, 0.5f, 0.75f}));
   ASSERT_TRUE(d);
   EXPECT_NEAR(d->rmse, std::sqrt((0.0625 + 0.0 + 0.0625) / 3.0), 1e-12);
   EXPECT_NEAR(d->relMse, (0.0625 + 0.0 + 0.0625) / 3.0 / (0.25 + 0.01), 1e-12);
@@ -69,7 +71,8 @@ TEST(Metrics, ReferenceAlphaMasksRelMseOnly) {
 }
 
 TEST(Metrics, ATransparentReferenceIsNoBlankCheque) {
-  const auto d = compare(constant({3, 3}, {1.0f, 1.0f, 1.0f, 1.0f}), constant({3, 3}, {0.0f, 0.0f, 0.0f, 0.0f}));
+  const auto d =
+      compare(constant({3, 3}, {1.0f, 1.0f, 1.0f, 1.0f}), constant({3, 3}, {0.0f, 0.0f, 0.0f, 0.0f}));
   ASSERT_TRUE(d);
   EXPECT_NEAR(d->relMse, 100.0, 1e-9);
 }

@@ -19,8 +19,8 @@ struct Png {
 
 Png load(const std::filesystem::path& path) {
   Png png;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> data(stbi_load(path.c_str(), &png.width, &png.height, &png.channels, 0),
-                                                                  &stbi_image_free);
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> data(
+      stbi_load(path.c_str(), &png.width, &png.height, &png.channels, 0), &stbi_image_free);
   if (data) png.bytes.assign(data.get(), data.get() + png.width * png.height * png.channels);
   return png;
 }
@@ -34,7 +34,8 @@ TEST(Png, CodeValuesAreExact) {
   std::vector<float> rgba;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
-      for (const int code : {x, 255 - x, (x * 7) % 256, 17}) rgba.push_back(static_cast<float>(code) / 255.0f);
+      for (const int code : {x, 255 - x, (x * 7) % 256, 17})
+        rgba.push_back(static_cast<float>(code) / 255.0f);
   const auto path = test::scratchFolder() / "codes.png";
   const auto written = writePng(path, size, rgba.data());
   ASSERT_TRUE(written) << written.error().message;
@@ -44,7 +45,8 @@ TEST(Png, CodeValuesAreExact) {
   ASSERT_EQ(png.channels, 3);
   for (std::size_t y = 0, i = 0; y < 8; ++y)
     for (unsigned x = 0; x < 256; ++x)
-      for (const unsigned code : {x, 255 - x, (x * 7) % 256}) ASSERT_EQ(png.bytes[i++], code) << x << ' ' << y;
+      for (const unsigned code : {x, 255 - x, (x * 7) % 256})
+        ASSERT_EQ(png.bytes[i++], code) << x << ' ' << y;
 }
 
 TEST(Png, TheDitherKeepsTheMean) {
@@ -64,7 +66,8 @@ TEST(Png, TheDitherKeepsTheMean) {
 TEST(Png, ClampsEverythingElse) {
   const ivec2 size(8, 8);
   const auto path = test::scratchFolder() / "clamp.png";
-  for (const auto& [value, code] : {std::pair(-1.0f, 0), {1.5f, 255}, {1e30f, 255}, {INFINITY, 255}, {-INFINITY, 0}, {NAN, 0}}) {
+  for (const auto& [value, code] :
+       {std::pair(-1.0f, 0), {1.5f, 255}, {1e30f, 255}, {INFINITY, 255}, {-INFINITY, 0}, {NAN, 0}}) {
     ASSERT_TRUE(writePng(path, size, flat(size, value).data()));
     for (const unsigned char byte : load(path).bytes) ASSERT_EQ(byte, code) << value;
   }

@@ -1,0 +1,240 @@
+#include "renderer/volume/procedural.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "renderer/volume/brick_builder.h"
+#include "renderer/volume/cloud_shape.h"
+#include "renderer/volume/noise.h"
+
+namespace pileus::volume {
+namespace {
+
+constexpr int kCell = 4;  ///< voxels along an edge of the blocks that share one list of balls
+
+/// The density field as a function of position; everything that does not depend on the voxel.
+class Field {
+ public:
+  Field(const CloudParams& params, const CloudShape& shape, float voxel)
+      : shape_(shape), size_(params.size), seed_(static_cast<std::uint32_t>(params.seed)), density_(static_cast<float>(params.density)),
+        shear_(static_cast<float>(params.shear)), middle_(0.5f * size_.y) {
+    const float s = shape.scale;
+    const auto octave = [&](float wavelength, float amplitude, float mean) {
+      // Bands that the voxels cannot carry fade to their mean, so that a coarse bake is a low-pass of a fine one.
+      const float keep = smoothstep01((wavelength / voxel - 1.5f) / 2.0f);
+      octaves_.push_back({1.0f / wavelength, amplitude * keep, amplitude * (1 - keep) * mean, mean});
+    };
+    const float b = static_cast<float>(params.billow), d = static_cast<float>(params.detail);
+    octave(0.15f * s, 0.055f * s * b, kMean);
+    octave(0.075f * s, 0.032f * s * b, kMean);
+    octave(0.036f * s, 0.016f * s * (0.4f * b + 0.6f * d), kMean);
+    octave(0.018f * s, 0.010f * s * d, kMean);
+    for (const Octave& o : octaves_) reach_ += std::abs(o.amplitude) + std::abs(o.constant);
+    warp_ = 0.035f * s;
+    edge_ = std::max(0.022f * s, 1.3f * voxel);
+    reach_ += edge_;
+  }
+
+  /// How far from a ball's surface the field can still be more than 0.
+  float reach() const { return reach_ + 2 * warp_; }
+  vec3 unsheared(vec3 p) const { return {p.x - shear_ * (p.y - middle_), p.y, p.z}; }
+
+  /// Density at p (relative to the box's lowest corner) from the balls in the list.
+  float operator()(vec3 p, const std::vector<const Ball*>& balls) const {
+    const float s = shape_.scale;
+    const vec3 straight = unsheared(p);
+    const vec3 at = straight / (0.2f * s);
+    const vec3 q = straight + warp_ * vec3(gradientNoise(at, seed_ ^ 11u), 0.6f * gradientNoise(at, seed_ ^ 12u), gradientNoise(at, seed_ ^ 13u));
+    float d = 1e9f;
+    for (const Ball* b : balls) {
+      const float di = glm::length(q - b->center) - b->radius;
+      if (di < d + b->blend) d = smoothMin(d, di, b->blend);
+    }
+    if (d > reach_) return 0;
+    const float above = q.y - shape_.base;
+    const float bulge = 0.15f + 0.85f * smoothstep01(above / (0.12f * s));  // bases stay flat
+    for (std::size_t i = 0; i < octaves_.size(); ++i) {
+      if (d > reach_ || d < -reach_ - 0.12f * s) break;
+      const Octave& o = octaves_[i];
+      float n = o.constant;
+      if (o.amplitude > 0) n += o.amplitude * std::min(1.0f, worley(q * o.frequency, seed_ + 101u + static_cast<std::uint32_t>(i)));
+      d += bulge * (n - (o.amplitude + 0.0f) * kLift);
+    }
+    d = -smoothMin(-d, above + 0.008f * s * gradientNoise(at * 2.0f, seed_ ^ 14u), 0.03f * s);  // cut at the condensation level
+    d = std::max(d, boxDistance(p));
+    if (d >= 0) return 0;
+    const float shell = smoothstep01(-d / edge_);
+    const float core = 0.45f + 0.55f * smoothstep01(-d / (0.1f * s));
+    const float water = 0.65f + 0.35f * std::min(1.0f, std::max(0.0f, above) / (0.5f * s));  // liquid water grows with height
+    return density_ * shell * core * water;
+  }
+
+ private:
+  static constexpr float kMean = 0.28f;  ///< mean of min(1, worley)
+  static constexpr float kLift = 0.30f;  ///< bulges stand out by that much, crevices cut in by the rest
+  struct Octave {
+    float frequency, amplitude, constant, mean;
+  };
+  float boxDistance(vec3 p) const {
+    const vec3 d = glm::abs(p - 0.5f * size_) - 0.5f * size_ + 0.01f * shape_.scale;
+    return std::max({d.x, d.y, d.z});
+  }
+
+  const CloudShape& shape_;
+  vec3 size_;
+  std::uint32_t seed_;
+  float density_, shear_, middle_;
+  std::vector<Octave> octaves_;
+  float reach_ = 0, warp_ = 0, edge_ = 1;
+};
+
+Result<void> check(const CloudParams& p) {
+  const auto outside = [](const char* what, double value, double lo, double hi) {
+    return fail(Code::Arguments, "cloud: {} is {}, but must lie in {} .. {}", what, value, lo, hi);
+  };
+  const auto in = [](double v, double lo, double hi) { return v >= lo && v <= hi; };
+  if (!in(p.coverage, 0, 1)) return outside("coverage", p.coverage, 0, 1);
+  if (!in(p.density, 0, 1e6)) return outside("density", p.density, 0, 1e6);
+  if (!in(p.detail, 0, 1)) return outside("detail", p.detail, 0, 1);
+  if (!in(p.billow, 0, 1)) return outside("billow", p.billow, 0, 1);
+  if (!in(p.shear, -4, 4)) return outside("shear", p.shear, -4, 4);
+  if (!in(p.resolution, 16, 1024)) return outside("resolution", p.resolution, 16, 1024);
+  for (int a = 0; a < 3; ++a) {
+    if (!in(p.size[a], 1e-3, 1e7)) return outside("size", p.size[a], 1e-3, 1e7);
+    if (!in(p.center[a], -1e9, 1e9)) return outside("center", p.center[a], -1e9, 1e9);
+  }
+  return {};
+}
+
+/// 16^3 floats per brick of the box, null where the field is 0.
+struct Bake {
+  ivec3 voxels, bricks;
+  std::vector<std::unique_ptr<float[]>> data;
+  const float* at(ivec3 b) const {
+    if (glm::any(glm::lessThan(b, ivec3(0))) || glm::any(glm::greaterThanEqual(b, bricks))) return nullptr;
+    return data[static_cast<std::size_t>((b.z * bricks.y + b.y) * bricks.x + b.x)].get();
+  }
+};
+
+void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& shape, float voxel, JobControl& control) {
+  const float reach = field.reach();
+  const auto position = [&](ivec3 index) { return (vec3(index) + 0.5f) * voxel; };
+  /// Balls that can matter in a block of n voxels; shear moves points by at most `slack` against the block's centre.
+  std::vector<const Ball*> near, local;
+  const auto block = [&](ivec3 lo, int n, vec3& center, float& radius) {
+    const vec3 a = field.unsheared(position(lo)), b = field.unsheared(position(lo + (n - 1)));
+    const vec3 c = field.unsheared(position(lo + ivec3(0, n - 1, 0))), d = field.unsheared(position(lo + ivec3(n - 1, 0, n - 1)));
+    center = 0.5f * (a + b);
+    radius = 0.5f * std::max(glm::length(b - a), glm::length(d - c));
+  };
+  vec3 center;
+  float radius;
+  block(brick * kBrickSize, kBrickSize, center, radius);
+  const auto touches = [&](vec3 c, float r) {
+    const vec3 v = c - center;
+    const float limit = r + radius + reach;
+    return glm::dot(v, v) < limit * limit;
+  };
+  for (const Clump& clump : shape.clumps) {
+    if (!touches(clump.center, clump.bound)) continue;
+    for (std::size_t i = clump.begin; i < clump.end; ++i)
+      if (touches(shape.balls[i].center, shape.balls[i].radius)) near.push_back(&shape.balls[i]);
+  }
+  if (near.empty()) return;
+  std::unique_ptr<float[]> out;
+  for (int z = 0; z < kBrickSize; z += kCell)
+    for (int y = 0; y < kBrickSize; y += kCell)
+      for (int x = 0; x < kBrickSize; x += kCell) {
+        if (control.cancelled()) return;
+        const ivec3 lo = brick * kBrickSize + ivec3(x, y, z);
+        if (glm::any(glm::greaterThanEqual(lo, bake.voxels))) continue;
+        block(lo, kCell, center, radius);
+        local.clear();
+        for (const Ball* b : near)
+          if (touches(b->center, b->radius)) local.push_back(b);
+        if (local.empty()) continue;
+        for (int k = 0; k < kCell; ++k)
+          for (int j = 0; j < kCell; ++j)
+            for (int i = 0; i < kCell; ++i) {
+              const ivec3 p = lo + ivec3(i, j, k);
+              if (glm::any(glm::greaterThanEqual(p, bake.voxels))) continue;
+              const float v = field(position(p), local);
+              if (v <= 0) continue;
+              if (!out) out = std::make_unique<float[]>(kBrickSize * kBrickSize * kBrickSize);
+              out[static_cast<std::size_t>(((z + k) * kBrickSize + y + j) * kBrickSize + x + i)] = v;
+            }
+      }
+  bake.data[static_cast<std::size_t>((brick.z * bake.bricks.y + brick.y) * bake.bricks.x + brick.x)] = std::move(out);
+}
+
+/// Index bounds of the voxels that are not 0.
+void tightBounds(const Bake& bake, ivec3& lowest, ivec3& highest) {
+  lowest = ivec3(1 << 20);
+  highest = ivec3(-1);
+  for (int bz = 0; bz < bake.bricks.z; ++bz)
+    for (int by = 0; by < bake.bricks.y; ++by)
+      for (int bx = 0; bx < bake.bricks.x; ++bx) {
+        const float* data = bake.at({bx, by, bz});
+        if (!data) continue;
+        for (int i = 0; i < kBrickSize * kBrickSize * kBrickSize; ++i) {
+          if (data[i] == 0) continue;
+          const ivec3 p = ivec3(bx, by, bz) * kBrickSize + ivec3(i % kBrickSize, i / kBrickSize % kBrickSize, i / kBrickSize / kBrickSize);
+          lowest = glm::min(lowest, p);
+          highest = glm::max(highest, p);
+        }
+      }
+}
+
+Fill gatherBlock(const Bake& bake, ivec3 lo, float* out) {
+  bool any = false;
+  for (int z = 0; z < kStoredSize; ++z)
+    for (int y = 0; y < kStoredSize; ++y)
+      for (int x = 0; x < kStoredSize; ++x) {
+        const ivec3 p = lo + ivec3(x, y, z);
+        const float* data = glm::any(glm::lessThan(p, ivec3(0))) ? nullptr : bake.at(p / kBrickSize);
+        const ivec3 l = p & (kBrickSize - 1);
+        const float v = data ? data[(l.z * kBrickSize + l.y) * kBrickSize + l.x] : 0.0f;
+        any |= v != 0;
+        *out++ = v;
+      }
+  return any ? Fill::Voxels : Fill::Zero;
+}
+
+}  // namespace
+
+Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control) {
+  PILEUS_CHECK(check(params));
+  const double longest = std::max({params.size.x, params.size.y, params.size.z});
+  const double voxel = longest / params.resolution;
+  const dvec3 lowest = params.center - 0.5 * params.size;
+  VoxelSource source;
+  source.name = "cloud";
+  source.worldFromIndex = glm::scale(glm::translate(dmat4(1.0), lowest + 0.5 * voxel), dvec3(voxel));
+  if (params.coverage == 0 || params.density == 0) return emptyGrid(source.name, source.worldFromIndex);
+
+  const CloudShape shape = shapeClouds(params);
+  const Field field(params, shape, static_cast<float>(voxel));
+  Bake bake;
+  bake.voxels = glm::max(ivec3(params.size / voxel + 0.5), ivec3(1));
+  bake.bricks = (bake.voxels + (kBrickSize - 1)) / kBrickSize;
+  const std::size_t count = std::size_t(bake.bricks.x) * std::size_t(bake.bricks.y) * std::size_t(bake.bricks.z);
+  bake.data.resize(count);
+  std::atomic<std::size_t> done{0};
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+    if (control.cancelled()) return;
+    const int flat = static_cast<int>(i);
+    bakeBrick(bake, {flat % bake.bricks.x, flat / bake.bricks.x % bake.bricks.y, flat / bake.bricks.x / bake.bricks.y}, field, shape,
+              static_cast<float>(voxel), control);
+    control.progress(0.9 * double(++done) / double(count));
+  });
+  if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
+  tightBounds(bake, source.activeMin, source.activeMax);
+  source.fill = [&](ivec3 lo, float* out) { return gatherBlock(bake, lo, out); };
+  PILEUS_TRY(BuildResult built, buildBricks(source, control, 0.9));
+  return built.grid;
+}
+
+}  // namespace pileus::volume

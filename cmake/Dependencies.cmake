@@ -1,0 +1,62 @@
+# Every library Pileus links, found once. A missing one is one line that names its Debian package.
+find_package(PkgConfig QUIET)
+if(NOT PKG_CONFIG_FOUND)
+  message(FATAL_ERROR "pkg-config is missing: apt-get install pkg-config (or run ./dev build, which installs everything)")
+endif()
+find_package(Threads REQUIRED)
+
+# OpenColorIO's Debian package keeps its CMake config outside the default search path.
+set(OpenColorIO_DIR /usr/share/cmake CACHE PATH "Folder of OpenColorIOConfig.cmake")
+
+function(pileus_missing name package)
+  message(FATAL_ERROR "${name} is missing: apt-get install ${package} (or run ./dev build, which installs everything)")
+endfunction()
+
+function(pileus_package name package)
+  find_package(${name} QUIET ${ARGN})
+  if(NOT ${name}_FOUND)
+    pileus_missing(${name} ${package})
+  endif()
+endfunction()
+
+function(pileus_pkg target module package)
+  pkg_check_modules(${target} QUIET IMPORTED_TARGET GLOBAL ${module})
+  if(NOT ${target}_FOUND)
+    pileus_missing(${module} ${package})
+  endif()
+endfunction()
+
+pileus_package(fmt libfmt-dev)
+pileus_package(spdlog libspdlog-dev)
+pileus_package(glm libglm-dev)
+pileus_package(TBB libtbb-dev)
+pileus_package(OpenEXR libopenexr-dev)
+pileus_package(OpenColorIO libopencolorio-dev)
+# That config takes / for its prefix; say where the headers really are.
+find_path(OPENCOLORIO_HEADERS OpenColorIO/OpenColorIO.h REQUIRED)
+set_target_properties(OpenColorIO::OpenColorIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${OPENCOLORIO_HEADERS})
+pileus_package(nlohmann_json nlohmann-json3-dev)
+pileus_package(CLI11 libcli11-dev)
+pileus_package(glfw3 libglfw3-dev)
+pileus_pkg(xxhash libxxhash libxxhash-dev)
+pileus_pkg(epoxy epoxy libepoxy-dev)
+pileus_pkg(egl egl libegl-dev)
+pileus_pkg(imgui imgui libimgui-dev)
+pileus_pkg(stb stb libstb-dev)
+
+# FindOpenVDB.cmake ships with the library; it prints a page of deprecation notes that concern its authors only.
+list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)
+set(CMAKE_SUPPRESS_DEVELOPER_WARNINGS_SAVED ${CMAKE_SUPPRESS_DEVELOPER_WARNINGS})
+set(CMAKE_SUPPRESS_DEVELOPER_WARNINGS ON CACHE INTERNAL "" FORCE)
+set(CMAKE_MESSAGE_LOG_LEVEL ERROR)
+find_package(OpenVDB QUIET COMPONENTS openvdb)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
+set(CMAKE_SUPPRESS_DEVELOPER_WARNINGS "${CMAKE_SUPPRESS_DEVELOPER_WARNINGS_SAVED}" CACHE INTERNAL "" FORCE)
+if(NOT OpenVDB_FOUND)
+  pileus_missing(OpenVDB "libopenvdb-dev libboost-dev libboost-iostreams-dev")
+endif()
+
+if(BUILD_TESTING OR NOT DEFINED BUILD_TESTING)
+  pileus_package(GTest libgtest-dev)
+  pileus_package(benchmark libbenchmark-dev)
+endif()

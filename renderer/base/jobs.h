@@ -1,0 +1,71 @@
+#pragma once
+// Cancellable background work. A Job runs once on its own thread; destroying it cancels and joins.
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "renderer/base/result.h"
+
+namespace pileus {
+
+/// What a running job sees: it reports a fraction and looks at `cancelled()` at least every 20 ms or so.
+class JobControl {
+ public:
+  void progress(double fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
+  double progress() const { return fraction_.load(std::memory_order_relaxed); }
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+ private:
+  std::atomic<double> fraction_{0.0};
+  std::atomic<bool> cancelled_{false};
+};
+
+/// Called after any job has ended or published a part, from the job's thread (the window uses it to wake up). May be null.
+void setJobNotifier(std::function<void()> notifier);
+void notifyJobs();
+
+template <class T>
+class Job {
+ public:
+  template <class Work>  // Result<T>(JobControl&)
+  explicit Job(Work work) : control_(std::make_unique<JobControl>()) {
+    thread_ = std::thread([this, work = std::move(work)] {
+      Result<T> r = work(*control_);
+      {
+        const std::lock_guard lock(mutex_);
+        result_.emplace(std::move(r));
+      }
+      done_.store(true, std::memory_order_release);
+      notifyJobs();
+    });
+  }
+  ~Job() {
+    control_->cancel();
+    if (thread_.joinable()) thread_.join();
+  }
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  bool done() const { return done_.load(std::memory_order_acquire); }
+  double progress() const { return control_->progress(); }
+  void cancel() { control_->cancel(); }
+  void wait() {
+    if (thread_.joinable()) thread_.join();
+  }
+  /// Only after done(). The result stays, so that it can be looked at twice.
+  const Result<T>& result() const { return *result_; }
+
+ private:
+  std::unique_ptr<JobControl> control_;
+  std::atomic<bool> done_{false};
+  std::mutex mutex_;
+  std::optional<Result<T>> result_;
+  std::thread thread_;
+};
+
+}  // namespace pileus

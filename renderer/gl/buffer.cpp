@@ -1,0 +1,29 @@
+#include "renderer/gl/buffer.h"
+
+#include <algorithm>
+
+namespace pileus::gl {
+
+void Buffer::reset() {
+  if (id_) glDeleteBuffers(1, &id_);
+  id_ = 0;
+  capacity_ = 0;
+}
+
+void Buffer::reserve(std::size_t bytes) {
+  if (id_ && bytes <= capacity_) return;
+  const std::size_t wanted = std::max({bytes, capacity_ * 2, std::size_t(256)});
+  const std::size_t size = wanted > bytes && wanted > (std::size_t(64) << 20) ? std::max(bytes, std::size_t(256)) : wanted;
+  reset();
+  glCreateBuffers(1, &id_);
+  glNamedBufferStorage(id_, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (!label_.empty()) glObjectLabel(GL_BUFFER, id_, static_cast<GLsizei>(label_.size()), label_.data());
+  capacity_ = size;
+}
+
+void Buffer::assign(const void* data, std::size_t bytes) {
+  reserve(bytes);
+  if (bytes > 0) glNamedBufferSubData(id_, 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+}  // namespace pileus::gl

@@ -1,0 +1,47 @@
+#pragma once
+// A GL buffer that grows by doubling. Move-only; GL thread.
+#include <epoxy/gl.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace pileus::gl {
+
+class Buffer {
+ public:
+  Buffer() = default;
+  explicit Buffer(std::string_view label) : label_(label) {}
+  ~Buffer() { reset(); }
+  Buffer(Buffer&& o) noexcept : label_(std::move(o.label_)), id_(std::exchange(o.id_, 0)), capacity_(std::exchange(o.capacity_, 0)) {}
+  Buffer& operator=(Buffer&& o) noexcept {
+    if (this != &o) {
+      reset();
+      label_ = std::move(o.label_);
+      id_ = std::exchange(o.id_, 0);
+      capacity_ = std::exchange(o.capacity_, 0);
+    }
+    return *this;
+  }
+
+  /// Replaces the content; storage is reused while it is large enough. An empty span still leaves a bindable buffer.
+  void assign(const void* data, std::size_t bytes);
+  template <class T>
+  void assign(std::span<const T> data) {
+    assign(data.data(), data.size_bytes());
+  }
+  /// At least `bytes` of storage, content undefined.
+  void reserve(std::size_t bytes);
+  void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_); }
+  GLuint id() const { return id_; }
+  std::size_t capacity() const { return capacity_; }
+
+ private:
+  void reset();
+  std::string label_;
+  GLuint id_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace pileus::gl

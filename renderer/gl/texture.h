@@ -1,0 +1,47 @@
+#pragma once
+// A GL texture with immutable storage. Move-only; created and destroyed on the GL thread.
+#include <epoxy/gl.h>
+
+#include <string_view>
+
+#include "renderer/base/math.h"
+
+namespace pileus::gl {
+
+class Texture {
+ public:
+  Texture() = default;
+  /// target: GL_TEXTURE_2D, _2D_ARRAY or _3D (1D data uses height 1). Contents undefined.
+  Texture(GLenum target, GLenum internalFormat, ivec3 size, std::string_view label, int mips = 1);
+  ~Texture() { reset(); }
+  Texture(Texture&& o) noexcept { swap(o); }
+  Texture& operator=(Texture&& o) noexcept {
+    if (this != &o) {
+      reset();
+      swap(o);
+    }
+    return *this;
+  }
+
+  GLuint id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+  ivec3 size() const { return size_; }
+  GLenum format() const { return format_; }
+  std::size_t bytes() const { return bytes_; }
+  void filter(GLenum minMag) const;  ///< GL_NEAREST or GL_LINEAR
+  void wrap(GLenum mode) const;      ///< all axes
+  void clear(const vec4& value = vec4(0)) const;
+
+ private:
+  void reset();
+  void swap(Texture& o) noexcept;
+  GLuint id_ = 0;
+  GLenum target_ = 0, format_ = 0;
+  ivec3 size_{0};
+  std::size_t bytes_ = 0;
+};
+
+/// Bytes of one texel of the formats we use.
+std::size_t texelBytes(GLenum internalFormat);
+
+}  // namespace pileus::gl

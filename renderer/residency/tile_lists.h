@@ -1,0 +1,27 @@
+#pragma once
+// Which items touch each 16 x 16 tile of a picture or map, as offsets and indices in shader storage. No cap on either.
+#include <span>
+
+#include "renderer/gl/buffer.h"
+#include "renderer/gl/shader_library.h"
+
+namespace pileus::residency {
+
+/// Pixels [min, max) an item may touch.
+struct PixelBounds {
+  ivec2 min{0}, max{0};
+};
+
+class TileLists {
+ public:
+  static constexpr int kTile = 16;
+  /// Item i is bounds[i]; lists keep the order of the items.
+  void build(ivec2 size, std::span<const PixelBounds> bounds);
+  void bind(gl::Program& program) const;
+
+ private:
+  ivec2 grid_{1};
+  gl::Buffer offsets_{"tile offsets"}, items_{"tile items"};
+};
+
+}  // namespace pileus::residency

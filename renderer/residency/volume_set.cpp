@@ -1,0 +1,74 @@
+#include "renderer/residency/volume_set.h"
+
+#include <algorithm>
+
+#include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/records.h"
+
+namespace pileus::residency {
+namespace {
+
+gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
+  gpu::VolumeRecord r{};
+  dmat4 worldFromLocal = i.worldFromLocal;
+  Box3 bounds = volume::localBounds(i);
+  if (i.shape == volume::Shape::Grid) {
+    // The GPU counts from the lattice's origin: small numbers keep float precision.
+    const dvec3 origin(i.grid->origin);
+    worldFromLocal = glm::translate(worldFromLocal, origin);
+    bounds = {bounds.min - origin, bounds.max - origin};
+    if (const ResidentGrid* place = pool.find(*i.grid)) r.shape = ivec4(SHAPE_GRID, place->firstLevel, place->levels, place->finest);
+  } else {
+    r.shape = ivec4(i.shape == volume::Shape::Box ? SHAPE_BOX : SHAPE_BALL, 0, 0, 0);
+  }
+  r.worldFromLocal = mat4(worldFromLocal);
+  r.localFromWorld = mat4(glm::inverse(worldFromLocal));
+  r.boundsMin = vec4(vec3(bounds.min), float(i.medium.extinction));
+  r.boundsMax = vec4(vec3(bounds.max), float(i.density));
+  r.albedo = vec4(i.medium.albedo, float(i.medium.anisotropy));
+  const double coarse = i.shape == volume::Shape::Grid ? std::exp2(double(r.shape.w)) : 1.0;
+  r.detail = vec4(float(volume::detailSize(i) * coarse), 0, 0, 0);
+  return r;
+}
+
+}  // namespace
+
+volume::InstanceList canonical(const volume::InstanceList& instances) {
+  std::vector<std::pair<Key, volume::Instance>> keyed;
+  for (const volume::Instance& i : instances) {
+    if (volume::localBounds(i).empty() || volume::majorant(i) <= 0 || std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) < 1e-300) continue;
+    keyed.emplace_back(volume::contentKey({i}), i);
+  }
+  std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  volume::InstanceList out;
+  for (auto& [key, i] : keyed) out.push_back(std::move(i));
+  return out;
+}
+
+Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList& instances, double ms) {
+  const Key content = volume::contentKey(instances);
+  if (content != content_ || generation_ == ~std::uint64_t(0)) {
+    instances_ = instances;
+    content_ = content;
+    generation_ = ~std::uint64_t(0) - 1;
+  }
+  std::vector<volume::GridPtr> grids;
+  for (const volume::Instance& i : instances_)
+    if (i.grid) grids.push_back(i.grid);
+  PILEUS_TRY(const Residency residency, pool.ensure(grids, ms));
+  if (residency.fraction >= 1 && generation_ != pool.generation()) {
+    std::vector<gpu::VolumeRecord> records;
+    for (const volume::Instance& i : instances_) records.push_back(record(i, pool));
+    records_.assign(std::span<const gpu::VolumeRecord>(records));
+    generation_ = pool.generation();
+  }
+  return residency;
+}
+
+void VolumeSet::bind(const BrickPool& pool, gl::Program& program) const {
+  records_.bindStorage(BIND_VOLUMES);
+  pool.bind();
+  program.set("atlasSlots", ivec4(pool.slots(), 0));
+}
+
+}  // namespace pileus::residency

@@ -1,0 +1,29 @@
+#pragma once
+// The volume records of one pass.
+#include "renderer/gl/buffer.h"
+#include "renderer/gl/shader_library.h"
+#include "renderer/residency/brick_pool.h"
+#include "renderer/volume/instance.h"
+
+namespace pileus::residency {
+
+/// Sorted by content, so that the order of links never changes a bit of a result; instances that cannot be seen (no voxels, zero extinction or
+/// density, no extent) left out.
+volume::InstanceList canonical(const volume::InstanceList& instances);
+
+class VolumeSet {
+ public:
+  /// Makes the grids resident within `ms`; once fraction is 1 the records are uploaded in the order given and bind() may be called.
+  Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms);
+  /// Records and bricks to their binding points; atlas uniforms into the program.
+  void bind(const BrickPool& pool, gl::Program& program) const;
+  const volume::InstanceList& instances() const { return instances_; }
+
+ private:
+  volume::InstanceList instances_;
+  Key content_;
+  std::uint64_t generation_ = ~std::uint64_t(0);
+  gl::Buffer records_{"volume records"};
+};
+
+}  // namespace pileus::residency

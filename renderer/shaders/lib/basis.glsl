@@ -1,0 +1,81 @@
+// Small bases over u in [0,1]: projection of optical depth and its analytic integral. Equations: docs/physics.md; twins:
+// renderer/shadow/basis.h. BASIS_FLOATS: array length of the variant.
+#pragma once
+#include "shared/records.h"
+const float kPi = 3.14159265358979;
+
+#ifndef BASIS_FLOATS
+#define BASIS_FLOATS 8
+#endif
+
+// sin(x)/x for the half width of a step.
+float sinc(float x) {
+  float y = x * x;
+  return y < 1.0 ? 1.0 - y * (1.0 / 6.0 - y * (1.0 / 120.0 - y * (1.0 / 5040.0 - y / 362880.0))) : sin(x) / x;
+}
+
+// Adds an optical depth m spread evenly over [u0, u1]: c_k += 2 m times the basis function's mean over the step. Exact for constant
+// extinction and a linear u, for any step length; no cancellation as u1 -> u0.
+void projectStep(int basis, inout float c[BASIS_FLOATS], float m, float u0, float u1) {
+  float mid = 0.5 * (u0 + u1), halfWidth = 0.5 * (u1 - u0);
+  if (basis == BASIS_COSINE) {
+    float th = kPi * mid, w = 2.0 * cos(th), previous = 1.0, current = 0.5 * w;
+    c[0] += m;
+    for (int k = 1; k < BASIS_FLOATS; ++k) {
+      c[k] += 2.0 * m * current * sinc(float(k) * kPi * halfWidth);
+      float next = w * current - previous;
+      previous = current, current = next;
+    }
+  } else if (basis == BASIS_FOURIER) {  // a0, a1, b1, a2, b2, ...
+    float th = 2.0 * kPi * mid, cs = cos(th), sn = sin(th), ck = cs, sk = sn;
+    c[0] += 2.0 * m;
+    for (int i = 1; i < BASIS_FLOATS; i += 2) {
+      float s = 2.0 * m * sinc(float((i + 1) / 2) * 2.0 * kPi * halfWidth);
+      c[i] += s * ck;
+      if (i + 1 < BASIS_FLOATS) c[i + 1] += s * sk;
+      float next = ck * cs - sk * sn;
+      sk = sk * cs + ck * sn, ck = next;
+    }
+  } else {  // linear slabs
+    float n = float(BASIS_FLOATS), lo = clamp(u0, 0.0, 1.0) * n, hi = clamp(u1, 0.0, 1.0) * n;
+    int first = min(int(lo), BASIS_FLOATS - 1);
+    if (hi - lo < 1e-6) {
+      c[first] += m;
+    } else {
+      for (int j = 0; j < BASIS_FLOATS; ++j) c[j] += m * max(min(hi, float(j + 1)) - max(lo, float(j)), 0.0) / (hi - lo);
+    }
+  }
+}
+
+// tau(u) from n coefficients, clamped to [0, tau(1)].
+float basisTau(int basis, int n, float c[BASIS_FLOATS], float u) {
+  if (basis == BASIS_COSINE) {
+    float tau = c[0] * u, w = 2.0 * cos(kPi * u), previous = 0.0, current = sin(kPi * u);
+    for (int k = 1; k < BASIS_FLOATS; ++k) {
+      if (k >= n) break;
+      tau += c[k] * current / (float(k) * kPi);
+      float next = w * current - previous;
+      previous = current, current = next;
+    }
+    return clamp(tau, 0.0, c[0]);
+  }
+  if (basis == BASIS_FOURIER) {
+    float whole = 0.5 * c[0], tau = whole * u;
+    float cs = cos(2.0 * kPi * u), sn = sin(2.0 * kPi * u), ck = cs, sk = sn;
+    for (int i = 1; i < BASIS_FLOATS; i += 2) {
+      if (i >= n) break;
+      float k = float((i + 1) / 2) * 2.0 * kPi;
+      tau += c[i] * sk / k;
+      if (i + 1 < n) tau += c[min(i + 1, BASIS_FLOATS - 1)] * (1.0 - ck) / k;
+      float next = ck * cs - sk * sn;
+      sk = sk * cs + ck * sn, ck = next;
+    }
+    return clamp(tau, 0.0, max(whole, 0.0));
+  }
+  float tau = 0.0, at = clamp(u, 0.0, 1.0) * float(n);
+  for (int j = 0; j < BASIS_FLOATS; ++j) {
+    if (j >= n) break;
+    tau += c[j] * clamp(at - float(j), 0.0, 1.0);
+  }
+  return tau;
+}

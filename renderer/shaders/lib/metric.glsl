@@ -1,0 +1,68 @@
+// The pseudometric u(x): the fraction of the covered length in front of x. Twins: renderer/shadow/metric.h.
+// METRIC_FLOATS: array length of the variant (2 K for intervals, the coefficient count otherwise; at least 1).
+#pragma once
+#include "shared/records.h"
+#include "lib/basis.glsl"
+
+#ifndef METRIC_FLOATS
+#define METRIC_FLOATS 8
+#endif
+
+// Antiderivative F of basis function i of g' at t: a box that covers [a,b] adds F(b) - F(a) to coefficient i.
+float metricFace(int metric, int i, float t) {
+  if (i == 0) return metric == METRIC_FOURIER ? 2.0 * t : t;
+  if (metric == METRIC_COSINE) return 2.0 * sin(float(i) * kPi * t) / (float(i) * kPi);
+  float k = float((i + 1) / 2), w = 2.0 * kPi * k * t;
+  return (i % 2 == 1 ? sin(w) : 1.0 - cos(w)) / (kPi * k);
+}
+
+// Intervals (a0, b0, a1, b1, ...), sorted and disjoint; unused ones have a = b = 1.
+int intervalCount(float m[METRIC_FLOATS]) {
+  int count = 0;
+  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) count += m[j + 1] > m[j] ? 1 : 0;
+  return count;
+}
+
+float intervalU(float m[METRIC_FLOATS], float x) {
+  float g = 0.0, whole = 0.0;
+  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) {
+    float width = m[j + 1] - m[j];
+    g += clamp(x - m[j], 0.0, width);
+    whole += width;
+  }
+  return whole > 1e-6 ? g / whole : 0.0;
+}
+
+// g = c_0 x + SUM_k c_k sin(pi k x)/(pi k), u = g / c_0 clamped: overshoot of the truncated series beyond [0,1] is real.
+float cosineU(float m[METRIC_FLOATS], int n, float x) {
+  float g = m[0] * x, w = 2.0 * cos(kPi * x), previous = 0.0, current = sin(kPi * x);
+  for (int k = 1; k < METRIC_FLOATS; ++k) {
+    if (k >= n) break;
+    g += m[k] * current / (float(k) * kPi);
+    float next = w * current - previous;
+    previous = current, current = next;
+  }
+  return m[0] > 1e-6 ? clamp(g / m[0], 0.0, 1.0) : 0.0;
+}
+
+// Series a0, a1, b1, a2, b2, ...: g = a0/2 x + SUM_k [a_k sin(2 pi k x) + b_k (1 - cos(2 pi k x))]/(2 pi k).
+float fourierU(float m[METRIC_FLOATS], int n, float x) {
+  float whole = 0.5 * m[0], g = whole * x;
+  float cs = cos(2.0 * kPi * x), sn = sin(2.0 * kPi * x), c = cs, s = sn;
+  for (int i = 1; i < METRIC_FLOATS; i += 2) {
+    if (i >= n) break;
+    float k = float((i + 1) / 2) * 2.0 * kPi;
+    g += m[i] * s / k;
+    if (i + 1 < n) g += m[min(i + 1, METRIC_FLOATS - 1)] * (1.0 - c) / k;
+    float next = c * cs - s * sn;
+    s = s * cs + c * sn, c = next;
+  }
+  return whole > 1e-6 ? clamp(g / whole, 0.0, 1.0) : 0.0;
+}
+
+float metricU(int metric, int n, float m[METRIC_FLOATS], float x) {
+  if (metric == METRIC_INTERVAL) return intervalU(m, x);
+  if (metric == METRIC_COSINE) return cosineU(m, n, x);
+  if (metric == METRIC_FOURIER) return fourierU(m, n, x);
+  return x;
+}

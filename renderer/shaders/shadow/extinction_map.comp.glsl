@@ -1,0 +1,63 @@
+// Extinction map: optical depth of every volume along the texel's light ray, projected at u(x) in any order (gather: one thread a
+// texel, float registers, one store). Projecting m = sigma ds keeps the end of the ray exact for any metric.
+#include "lib/volume.glsl"
+#include "lib/tiles.glsl"
+#include "lib/shadow_map.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#if STORE == STORE_FLOAT
+layout(rgba32f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
+#else
+layout(rgba16f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
+#endif
+uniform ivec2 regionOrigin, regionEnd;
+uniform float footprint;  // metres a texel covers
+
+void main() {
+  ivec2 texel = regionOrigin + ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(texel, regionEnd))) return;
+  BlockRecord block = lights[0].coefficients;
+  vec2 uv = (vec2(texel) + 0.5) / float(block.place.z);
+  vec3 o = (lights[0].worldFromLight * vec4(uv, 0.0, 1.0)).xyz;
+  vec3 end = (lights[0].worldFromLight * vec4(uv, 1.0, 1.0)).xyz;
+  float rayLength = length(end - o);
+  vec3 d = (end - o) / rayLength;
+  float m[METRIC_FLOATS];
+  if (METRIC != METRIC_NONE) loadMetric(0, texel, m);
+  float c[BASIS_FLOATS];
+  for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
+
+  ivec2 range = tileRange(texel);
+  for (int item = range.x; item < range.y; ++item) {
+    int v = tileItems[item];
+    LocalRay r = localRay(v, o, d);
+    vec2 hit = intersectVolume(v, r);
+    float t0 = max(hit.x, 0.0), t1 = min(hit.y, rayLength);
+    if (t0 >= t1) continue;
+    int level = levelFor(v, footprint);
+    int n = volumes[v].shape.x == SHAPE_GRID ? int(clamp(ceil((t1 - t0) / stepFor(v, footprint)), 1.0, 8192.0)) : 64;
+    float ds = (t1 - t0) / float(n);
+    float u0 = 0.0;
+    int known = -1;  // u0 is u at the start of this step
+    for (int i = 0; i < n;) {
+      float t = t0 + (float(i) + 0.5) * ds, skipTo;
+      float sigma = sigmaOnRay(v, r, t, level, skipTo);
+      if (sigma > 0.0) {
+        if (known != i) u0 = metricU(METRIC, METRIC_COUNT, m, clamp((t - 0.5 * ds) / rayLength, 0.0, 1.0));
+        float u1 = metricU(METRIC, METRIC_COUNT, m, clamp((t + 0.5 * ds) / rayLength, 0.0, 1.0));
+        projectStep(BASIS, c, sigma * ds, u0, u1);
+        u0 = u1;
+        known = i + 1;
+      }
+      i = max(i + 1, int(min((skipTo - t0) / ds + 0.5, 1e6)));
+    }
+  }
+  for (int layer = 0; layer < (BASIS_FLOATS + 3) / 4; ++layer) {
+    vec4 v = vec4(0.0);
+    for (int j = 0; j < 4 && 4 * layer + j < BASIS_FLOATS; ++j) v[j] = c[4 * layer + j];
+#if STORE == STORE_HALF
+    v = clamp(v, -65504.0, 65504.0);
+#endif
+    imageStore(target, ivec3(block.place.xy + texel, block.place.w + layer), v);
+  }
+}

@@ -1,0 +1,68 @@
+// Structures in shader storage, read by C++ (glm types) and GLSL. std430: everything is a multiple of 16 bytes.
+#ifdef __cplusplus
+#pragma once
+#include "renderer/base/math.h"
+namespace pileus::gpu {
+#endif
+
+#define SHAPE_GRID 0
+#define SHAPE_BOX 1
+#define SHAPE_BALL 2
+
+// One placed volume. Local space is index coordinates relative to the lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
+struct VolumeRecord {
+  mat4 localFromWorld;
+  mat4 worldFromLocal;
+  vec4 boundsMin;  // local; w: extinction [1/m per unit density]
+  vec4 boundsMax;  // local; w: uniform density of a box or ball
+  vec4 albedo;     // rgb; w: anisotropy g
+  vec4 detail;     // x: smallest detail [m]
+  ivec4 shape;     // x: SHAPE_*, y: first LevelRecord, z: number of levels, w: first resident level
+};
+
+// One mip level of a resident grid.
+struct LevelRecord {
+  ivec4 bricks;    // xyz: lattice size in bricks, w: index of its first page
+};
+
+// A page is a uvec4: x slot in the atlas or PAGE_CONSTANT, y bits of offset, z bits of scale, w bits of the brick's maximum.
+#define PAGE_CONSTANT 0xFFFFFFFFu
+
+#define SHADOW_NONE 0
+#define SHADOW_EXTINCTION 1
+#define SHADOW_RAY_MARCH 2
+
+#define METRIC_NONE 0
+#define METRIC_INTERVAL 1
+#define METRIC_COSINE 2
+#define METRIC_FOURIER 3
+
+#define BASIS_COSINE 0
+#define BASIS_FOURIER 1
+#define BASIS_SLAB 2
+
+#define STORE_FLOAT 0
+#define STORE_HALF 1
+#define STORE_UNORM 2
+
+// Where a block of map layers lies in the shadow store.
+struct BlockRecord {
+  ivec4 place;     // x, y: first texel; z: edge in texels; w: first layer
+  ivec4 kind;      // x: STORE_*, y: layers
+};
+
+struct LightRecord {
+  mat4 lightFromWorld;  // world -> (u, v, x) in [0,1]^3, x from the near to the far plane
+  mat4 worldFromLight;
+  vec4 towards;         // sun: unit vector towards the light
+  vec4 emitted;         // sun: irradiance rgb [W/m^2]
+  vec4 extent;          // x: metres from near to far plane; y: step scale of a ray march
+  ivec4 shadow;         // x: SHADOW_*, y: BASIS_*, z: coefficients, w: METRIC_*
+  ivec4 items;          // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray march)
+  BlockRecord metric;
+  BlockRecord coefficients;
+};
+
+#ifdef __cplusplus
+}  // namespace pileus::gpu
+#endif

@@ -1,0 +1,16 @@
+#pragma once
+// C++ twin of lib/basis.glsl in double precision. Equations: docs/physics.md.
+#include <span>
+#include <vector>
+
+#include "renderer/shadow/representation.h"
+
+namespace pileus::shadow {
+
+/// Adds an optical depth m spread evenly over [u0, u1] to coefficients c.
+void projectStep(Basis basis, std::span<double> c, double m, double u0, double u1);
+/// Optical depth in front of u, clamped to [0, basisTotal].
+double basisTau(Basis basis, std::span<const double> c, double u);
+double basisTotal(Basis basis, std::span<const double> c);
+
+}  // namespace pileus::shadow

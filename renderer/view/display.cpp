@@ -1,0 +1,92 @@
+#include "renderer/view/display.h"
+
+#include <cmath>
+#include <vector>
+
+#include "renderer/gl/shader_library.h"
+#include "renderer/shaders/shared/bindings.h"
+
+namespace pileus::view {
+namespace {
+
+gl::Texture upload(const image::LutTexture& lut) {
+  const GLenum format = lut.channels == 1 ? GL_R32F : GL_RGB32F;
+  gl::Texture t(lut.dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D, format, glm::max(lut.size, ivec3(1)), lut.sampler);
+  const GLenum pixels = lut.channels == 1 ? GL_RED : GL_RGB;
+  if (lut.dimensions == 3) glTextureSubImage3D(t.id(), 0, 0, 0, 0, lut.size.x, lut.size.y, lut.size.z, pixels, GL_FLOAT, lut.texels.data());
+  else glTextureSubImage2D(t.id(), 0, 0, 0, lut.size.x, std::max(lut.size.y, 1), pixels, GL_FLOAT, lut.texels.data());
+  t.filter(lut.linear ? GL_LINEAR : GL_NEAREST);
+  return t;
+}
+
+/// An OCIO transform on the GPU.
+struct Compiled {
+  gl::Program* program = nullptr;
+  std::vector<std::pair<std::string, gl::Texture>> luts;
+};
+
+}  // namespace
+
+struct Display::Impl {
+  gl::ShaderLibrary* shaders;
+  std::map<std::string, Compiled> compiled;  ///< by config address, display and view
+  std::map<int, gl::Texture> targets;
+  GLuint framebuffer = 0, vertices = 0;
+
+  Result<Compiled*> transform(const image::ColorConfig& config, const DisplaySettings& s) {
+    const std::string key = fmt::format("{}|{}|{}", fmt::ptr(&config), s.display, s.view);
+    if (const auto it = compiled.find(key); it != compiled.end()) return &it->second;
+    PILEUS_TRY(const image::GpuTransform gpu, config.gpuTransform(s.display, s.view));
+    Compiled c;
+    const std::string text = "#define HAS_OCIO 1\n" + gpu.glsl + "\n";
+    PILEUS_TRY(c.program, shaders->program({"view/display.vert.glsl", "view/display.frag.glsl"}, {}, text, gpu.key.hex()));
+    for (const image::LutTexture& lut : gpu.textures) c.luts.emplace_back(lut.sampler, upload(lut));
+    return &compiled.emplace(key, std::move(c)).first->second;
+  }
+};
+
+Display::Display(gl::ShaderLibrary& shaders) : impl_(std::make_unique<Impl>()) {
+  impl_->shaders = &shaders;
+  glCreateFramebuffers(1, &impl_->framebuffer);
+  glCreateVertexArrays(1, &impl_->vertices);
+}
+
+Display::~Display() {
+  glDeleteFramebuffers(1, &impl_->framebuffer);
+  glDeleteVertexArrays(1, &impl_->vertices);
+}
+
+Result<unsigned> Display::draw(const gl::Texture& color, ivec2 size, ivec2 outputSize, const image::ColorConfig& config, const DisplaySettings& settings, int slot) {
+  PILEUS_TRY(Compiled * c, impl_->transform(config, settings));
+  gl::Texture& target = impl_->targets[slot];
+  if (!target || ivec2(target.size()) != outputSize) {
+    target = gl::Texture(GL_TEXTURE_2D, GL_RGBA8, ivec3(outputSize, 1), "display");
+    target.filter(GL_LINEAR);
+  }
+  GLint before[4], bound = 0;
+  glGetIntegerv(GL_VIEWPORT, before);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glNamedFramebufferTexture(impl_->framebuffer, GL_COLOR_ATTACHMENT0, target.id(), 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, impl_->framebuffer);
+  glViewport(0, 0, outputSize.x, outputSize.y);
+  for (const GLenum state : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST}) glDisable(state);
+  c->program->use();
+  c->program->set("gain", float(std::exp2(settings.exposure)));
+  c->program->set("pictureSize", size);
+  c->program->set("outputSize", outputSize);
+  color.filter(outputSize.x > size.x || outputSize.y > size.y ? GL_LINEAR : GL_NEAREST);
+  glBindTextureUnit(UNIT_PICTURE, color.id());
+  int unit = UNIT_LUT;
+  for (const auto& [sampler, texture] : c->luts) {
+    c->program->set(sampler.c_str(), unit);
+    glBindTextureUnit(GLuint(unit++), texture.id());
+  }
+  glBindVertexArray(impl_->vertices);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
+  glViewport(before[0], before[1], before[2], before[3]);
+  return target.id();
+}
+
+}  // namespace pileus::view

@@ -1,0 +1,58 @@
+#include "renderer/volume/instance.h"
+
+namespace pileus::volume {
+
+Box3 localBounds(const Instance& i) {
+  switch (i.shape) {
+    case Shape::Grid: return i.grid && !i.grid->empty() ? i.grid->indexBounds : Box3{};
+    case Shape::Box: return {dvec3(-0.5), dvec3(0.5)};
+    case Shape::Ball: return {dvec3(-1.0), dvec3(1.0)};
+  }
+  return {};
+}
+
+Box3 worldBounds(const Instance& i) { return transformed(localBounds(i), i.worldFromLocal); }
+
+Box3 worldBounds(const InstanceList& instances) {
+  Box3 box;
+  for (const Instance& i : instances) box.extend(worldBounds(i));
+  return box;
+}
+
+double detailSize(const Instance& i) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) smallest = std::min(smallest, glm::length(dvec3(i.worldFromLocal[axis])));
+  if (i.shape == Shape::Grid) return smallest;
+  return smallest * (i.shape == Shape::Ball ? 2.0 : 1.0) / 128.0;
+}
+
+double majorant(const Instance& i) {
+  const double density = i.shape == Shape::Grid ? (i.grid ? double(i.grid->maximum) : 0.0) : i.density;
+  return std::max(0.0, density * i.medium.extinction);
+}
+
+Key contentKey(const InstanceList& instances) {
+  Hasher h;
+  h.add(instances.size());
+  for (const Instance& i : instances) {
+    h.add(i.shape).add(i.density).add(i.medium.extinction).add(i.medium.anisotropy);
+    for (int c = 0; c < 3; ++c) h.add(i.medium.albedo[c]);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r) h.add(i.worldFromLocal[c][r]);
+    if (i.grid) h.add(i.grid->content);
+  }
+  return h.key();
+}
+
+double sigmaAt(const Instance& i, const dvec3& world) {
+  const dvec3 p = dvec3(glm::inverse(i.worldFromLocal) * dvec4(world, 1.0));
+  double density = 0;
+  switch (i.shape) {
+    case Shape::Grid: density = i.grid ? sampleTrilinear(*i.grid, p) : 0.0; break;
+    case Shape::Box: density = glm::all(glm::lessThanEqual(glm::abs(p), dvec3(0.5))) ? i.density : 0.0; break;
+    case Shape::Ball: density = glm::dot(p, p) <= 1.0 ? i.density : 0.0; break;
+  }
+  return std::max(0.0, density * i.medium.extinction);
+}
+
+}  // namespace pileus::volume

@@ -1,0 +1,58 @@
+// main() of every test: fails a test that logs an unexpected warning or error, and keeps caches out of the user's home.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "renderer/base/log.h"
+#include "tests/support/support.h"
+
+/// A test that starts itself as a child process (the VDB importer) defines this.
+extern "C" __attribute__((weak)) int pileusTestChild(int argc, char** argv);
+
+namespace {
+
+int expected = 0;
+
+std::size_t troubles() {
+  return pileus::log::count(pileus::log::Level::Warning) + pileus::log::count(pileus::log::Level::Error);
+}
+
+class LogGuard : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo&) override { before_ = troubles(); }
+  void OnTestEnd(const testing::TestInfo&) override {
+    if (expected == 0 && troubles() > before_ + allowed_) {
+      const auto lines = pileus::log::history();
+      ADD_FAILURE() << "unexpected warning in the log: " << (lines.empty() ? "" : lines.back().text);
+    }
+    allowed_ = 0;
+  }
+  std::size_t before_ = 0;
+
+ public:
+  static inline std::size_t allowed_ = 0;
+};
+
+}  // namespace
+
+namespace pileus::test {
+namespace {
+std::size_t atStart = 0;
+}
+ExpectLogged::ExpectLogged() {
+  ++expected;
+  atStart = troubles();
+}
+ExpectLogged::~ExpectLogged() {
+  --expected;
+  LogGuard::allowed_ += troubles() - atStart;
+}
+}  // namespace pileus::test
+
+int main(int argc, char** argv) {
+  if (pileusTestChild && argc > 1 && std::string_view(argv[1]) == "import") return pileusTestChild(argc, argv);
+  testing::InitGoogleTest(&argc, argv);
+  if (!std::getenv("XDG_CACHE_HOME")) ::setenv("XDG_CACHE_HOME", pileus::test::scratchFolder().c_str(), 1);
+  if (!std::getenv("XDG_CONFIG_HOME")) ::setenv("XDG_CONFIG_HOME", pileus::test::scratchFolder().c_str(), 1);
+  testing::UnitTest::GetInstance()->listeners().Append(new LogGuard);
+  return RUN_ALL_TESTS();
+}

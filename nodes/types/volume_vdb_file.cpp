@@ -1,0 +1,66 @@
+// volume.vdb_file: one grid of an OpenVDB file, read by a job.
+#include "nodes/describe.h"
+#include "renderer/base/jobs.h"
+#include "renderer/volume/vdb_import.h"
+
+namespace pileus::nodes {
+namespace {
+
+struct In {
+  FilePath file;
+  std::string grid;
+};
+
+struct Out {
+  VolumeValue volume;
+};
+
+void describe(Describe<In, Out>& d) {
+  d.name("VDB File").category("Volume").keywords("openvdb read import load smoke cloud file");
+  d.help("Reads one grid of an OpenVDB file. The file's own transform places it; a fog volume's values become density.");
+  d.in("file", &In::file).file("vdb").help("The .vdb file. Relative paths start at the graph's folder.");
+  d.in("grid", &In::grid).help("Name of the grid, or name[i] where several share it. Empty: chosen by name and class.");
+  d.out("volume", &Out::volume).help("The grid as one volume with the default medium.");
+}
+
+struct Import {
+  std::unique_ptr<Job<volume::ImportedGrid>> job;
+};
+
+Result<Out> evaluate(const In& in, EvalContext& ctx) {
+  if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
+  auto& job = ctx.state<Import>().job;
+  if (!job)
+    job = std::make_unique<Job<volume::ImportedGrid>>(
+        [path = std::filesystem::path(in.file.path), grid = in.grid](JobControl& control) {
+          return volume::importVdb(path, grid, control);
+        });
+  if (!job->done()) {
+    ctx.pending(job->progress(), "Reading " + std::filesystem::path(in.file.path).filename().string());
+    return Out{};
+  }
+  if (!job->result()) return fail(job->result().error().code, "file: {}", job->result().error().message);
+  const volume::ImportedGrid& imported = *job->result();
+  for (const std::string& warning : imported.warnings) ctx.warn(warning);
+  Out out;
+  volume::Instance instance;
+  instance.shape = volume::Shape::Grid;
+  instance.grid = imported.grid;
+  instance.worldFromLocal = imported.grid->worldFromIndex;
+  if (imported.grid->empty()) {
+    ctx.note(imported.grid->name.empty() ? "empty" : imported.grid->name + ", empty");
+  } else {
+    const dvec3 extent = imported.grid->indexBounds.size() - dvec3(1.0);  // bounds reach one voxel beyond the active ones
+    ctx.note(fmt::format("{}, {:.0f} x {:.0f} x {:.0f}, {} active voxels", imported.grid->name, extent.x, extent.y, extent.z,
+                         imported.grid->activeVoxels));
+    ctx.reportGpu(0, std::size_t(imported.grid->payloadCount) * volume::kStoredVoxels);
+  }
+  out.volume.items.push_back(std::move(instance));
+  return out;
+}
+
+}  // namespace
+
+NodeType node_volume_vdb_file() { return makeNode<In, Out>("volume.vdb_file", 1, describe, evaluate); }
+
+}  // namespace pileus::nodes

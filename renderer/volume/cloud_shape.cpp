@@ -24,12 +24,12 @@ vec3 upwardDirection(Random& random) {
 }
 
 void growOn(std::vector<Ball>& balls, const Ball& parent, int generations, float billow, Random& random) {
-  const int children = 7 + static_cast<int>(random.next() * 4.0f);
+  const int children = 5 + static_cast<int>(random.next() * 3.0f);
   for (int i = 0; i < children; ++i) {
     const vec3 direction = upwardDirection(random);
-    const float r = parent.radius * random.between(0.34f, 0.56f);
-    const float out = parent.radius + r * (billow - 0.75f) * 0.9f;  // how far the bulge stands out
-    const Ball child{parent.center + direction * out, r, r * 0.22f};
+    const float r = parent.radius * random.between(0.38f, 0.62f);
+    const float out = parent.radius - r * (0.6f - 0.6f * billow);  // how far the bulge stands out
+    const Ball child{parent.center + direction * out, r, r * 0.15f};
     balls.push_back(child);
     if (generations > 1) growOn(balls, child, generations - 1, billow, random);
   }
@@ -39,7 +39,7 @@ void growOn(std::vector<Ball>& balls, const Ball& parent, int generations, float
 void buildCloud(const Cloud& cloud, float base, float billow, CloudShape& out) {
   Random random(cloud.seed);
   const float R = cloud.radius;
-  const int columns = 9 + static_cast<int>(random.next() * 6.0f);
+  const int columns = 6 + static_cast<int>(random.next() * 5.0f);
   const vec2 lean(random.between(-0.25f, 0.25f), random.between(-0.25f, 0.25f));  // off-centre towers look alive
   for (int i = 0; i < columns; ++i) {
     vec2 d;
@@ -49,20 +49,19 @@ void buildCloud(const Cloud& cloud, float base, float billow, CloudShape& out) {
     const float rho = glm::length(d - lean * 0.5f);
     const float dome = std::max(0.0f, 1.0f - rho * rho * 0.85f);
     const float top = cloud.height * dome * (i == 0 ? 1.0f : random.between(0.45f, 1.0f));
-    float r = R * (0.42f - 0.2f * std::min(rho, 1.0f)) * random.between(0.85f, 1.1f);
-    const vec2 foot = cloud.position + d * (R - r) * 0.92f;
-    float y = 0.35f * r;
+    const float foot = R * (0.35f - 0.15f * std::min(rho, 1.0f)) * random.between(0.85f, 1.1f);
+    const vec2 place = cloud.position + d * (0.72f * R - foot);
     vec2 drift(0.0f);
-    for (int level = 0; level < 8; ++level) {
-      const Ball body{{foot.x + drift.x, base + y, foot.y + drift.y}, r, r * 0.4f};
+    float r = foot;
+    for (float y = 0.3f * foot;; y += r * random.between(0.6f, 0.85f)) {
+      r = foot * (1.0f - 0.42f * std::min(1.0f, y / (top + foot)));  // towers narrow, but end round
+      const Ball body{{place.x + drift.x, base + y, place.y + drift.y}, r, r * 0.25f};
       const std::size_t begin = out.balls.size();
       out.balls.push_back(body);
       growOn(out.balls, body, 2, billow, random);
       out.clumps.push_back({body.center, 0.0f, begin, out.balls.size()});
-      if (y + r >= top) break;
-      y += r * random.between(0.7f, 0.95f);
-      r *= random.between(0.78f, 0.92f);
-      drift += vec2(random.between(-0.3f, 0.3f), random.between(-0.3f, 0.3f)) * r;
+      if (y + 1.4f * r >= top) break;
+      drift += vec2(random.between(-0.35f, 0.35f), random.between(-0.35f, 0.35f)) * r;
     }
   }
   for (Clump& c : out.clumps) {
@@ -140,18 +139,30 @@ CloudShape shapeClouds(const CloudParams& params) {
   shape.base = 0.1f * shape.scale;
   const float shear = static_cast<float>(params.shear), billow = static_cast<float>(params.billow);
   const vec2 ground(size.x, size.z);
-  const float largest = std::min(0.46f * shape.scale, 0.42f * std::min(ground.x, ground.y));
+  const float largest = std::min(0.62f * shape.scale, 0.45f * std::min(ground.x, ground.y));
   Ground covered(ground, shape.base, shear, 0.5f * size.y);
   Random random(static_cast<std::uint32_t>(params.seed) * 2654435761u + 1u);
   std::vector<Cloud> clouds;
   for (int k = 0; k < 3000 && covered.fraction() < params.coverage; ++k) {
     const float u = k == 0 ? 0.95f : random.next();
-    Cloud cloud{{}, largest * (0.24f + 0.76f * u * u), 0, hash3(k, 1, 2, static_cast<std::uint32_t>(params.seed))};
-    cloud.height = std::min(cloud.radius * random.between(1.0f, 1.75f), 0.8f * shape.scale);
-    const float lean = std::abs(shear) * 0.5f * cloud.height;
-    const vec2 inset = glm::min(vec2(cloud.radius * 1.12f + lean, cloud.radius * 1.12f), ground * 0.5f);
-    const auto place = openPlace(clouds, cloud.radius, inset, ground, random);
-    cloud.position = place ? *place : covered.freePlace(random.next());
+    const std::uint32_t seed = hash3(k, 1, 2, static_cast<std::uint32_t>(params.seed));
+    const float aspect = random.between(0.7f, 1.2f), free = random.next();
+    Cloud cloud{{}, largest * (0.24f + 0.76f * u * u), 0, seed};
+    std::optional<vec2> place;
+    vec2 inset(0.0f);
+    for (int attempt = 0; attempt < 4 && !place; ++attempt) {  // a smaller cloud rather than one that overlaps
+      if (attempt > 0) cloud.radius *= 0.65f;
+      cloud.height = std::min(cloud.radius * aspect, 0.72f * shape.scale);
+      const float lean = std::abs(shear) * 0.5f * size.y;
+      inset = glm::min(vec2(cloud.radius * 1.08f + lean, cloud.radius * 1.08f), ground * 0.5f);
+      place = openPlace(clouds, cloud.radius, inset, ground, random);
+    }
+    cloud.position = place ? *place : covered.freePlace(free);
+    if (!place) {  // nearly overcast: fill what is left, at last up to the walls of the box
+      cloud.radius = largest * (0.3f + 0.3f * u);
+      cloud.height = std::min(cloud.radius * aspect, 0.72f * shape.scale);
+      if (covered.fraction() < 0.8) cloud.position = glm::clamp(cloud.position, inset, ground - inset);
+    }
     // The last cloud is grown only as far as the coverage asks.
     float low = 0, high = 1, factor = 1;
     for (int step = 0; step < 7; ++step) {

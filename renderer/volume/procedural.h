@@ -12,7 +12,7 @@ struct CloudParams {
   dvec3 center{0.0, 300.0, 0.0};      ///< metres, of the box
   dvec3 size{1600.0, 600.0, 1600.0};  ///< metres
   double coverage = 0.32;   ///< 0..1, fraction of the ground under cloud
-  double density = 0.05;    ///< value in the core: with extinction 1, sigma_t in 1/m (cumulus: 0.03 - 0.06)
+  double density = 0.06;    ///< value in the core: with extinction 1, sigma_t in 1/m (cumulus: 0.03 - 0.06)
   double detail = 0.5;      ///< 0..1, erosion of the edges
   double billow = 0.6;      ///< 0..1, strength of the cauliflower bulges
   double shear = 0.15;      ///< wind shear: metres towards +X per metre of height

@@ -260,7 +260,7 @@ Result<const VdbFile::Impl::Entry*> VdbFile::Impl::find(const std::string& name)
   for (const Entry& e : entries)  // several share the name: the first
     if (e.base == name || e.handle == name) return &e;
   std::string names;
-  for (const Entry& e : entries) names += (names.empty() ? "" : ", ") + e.name;
+  for (const Entry& e : entries) names += fmt::format("{}{}", names.empty() ? "" : ", ", e.name);
   return fail(Code::Input, "it has no grid '{}'; its grids are: {}", clean(name), names);
 }
 

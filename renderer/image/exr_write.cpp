@@ -70,7 +70,7 @@ std::string channelName(const Layer& layer, int component) {
 }
 
 std::string shownName(const Layer& layer) {
-  return layer.name.empty() ? "the beauty" : "'" + layer.name + "'";
+  return layer.name.empty() ? "the beauty" : fmt::format("'{}'", layer.name);
 }
 
 /// Long names keep their beginning and end in eight digits of their hash: distinct, and the same in every

@@ -36,7 +36,8 @@ Result<void> checkComparable(const Image& a, const Image& b) {
   const auto missing = [](const Image& one, const Image& other, const char* which) -> Result<void> {
     for (const Layer& layer : one.layers) {
       const Layer* twin = other.layer(layer.name);
-      const std::string name = layer.name.empty() ? "the beauty layer" : "layer '" + layer.name + "'";
+      const std::string name =
+          layer.name.empty() ? "the beauty layer" : fmt::format("layer '{}'", layer.name);
       if (!twin) return fail(Code::Input, "the {} picture has {}, the other does not", which, name);
       if (twin->channels != layer.channels)
         return fail(Code::Input, "{} has {} channels in the {} picture and {} in the other", name,
@@ -50,7 +51,8 @@ Result<void> checkComparable(const Image& a, const Image& b) {
 
 ChannelDifference channelDifference(const Layer& a, const Layer& b, int component) {
   ChannelDifference out;
-  out.channel = (a.name.empty() ? "" : a.name + ".") + componentName(a.channels, component);
+  out.channel =
+      fmt::format("{}{}{}", a.name, a.name.empty() ? "" : ".", componentName(a.channels, component));
   const auto stride = static_cast<std::size_t>(a.channels);
   double sum = 0, squares = 0;
   for (std::size_t i = static_cast<std::size_t>(component); i < a.pixels.size(); i += stride) {

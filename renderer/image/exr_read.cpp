@@ -190,7 +190,7 @@ Chromaticities readChromaticities(const Imf::Header& header) {
 
 /// The library begins its messages with the path, which ours name already.
 std::string reasonWithoutPath(std::string_view reason, const fs::path& path) {
-  const std::string named = "\"" + path.string() + "\". ";
+  const std::string named = fmt::format("\"{}\". ", path.string());
   if (const std::size_t at = reason.find(named); at != std::string_view::npos)
     reason.remove_prefix(at + named.size());
   if (!reason.empty() && reason.back() == '.') reason.remove_suffix(1);

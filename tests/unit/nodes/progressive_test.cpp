@@ -1,0 +1,301 @@
+// The protocol of unfinished values, keys, budgets and the cache, with node types made for the purpose.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <thread>
+
+#include "nodes/describe.h"
+#include "nodes/evaluator.h"
+
+namespace pileus::nodes {
+namespace {
+
+struct In {
+  VolumeValue volume;
+  CameraValue camera;
+  double value = 1;
+};
+struct Out {
+  VolumeValue volume;
+};
+
+/// What the next calls of "t.script" shall do, and what was seen.
+struct Script {
+  enum Step { Finish, Partial, PartialJob, Pending, PendingGpu, Throw, Fail, Slow };
+  std::vector<Step> steps;
+  std::size_t at = 0;
+  std::uint64_t revision = 0;
+  int alive = 0;  ///< state objects
+  std::size_t bytes = 0;
+} script;
+
+struct State {
+  State() { ++script.alive; }
+  ~State() { --script.alive; }
+  int calls = 0;
+};
+
+VolumeValue marked(double density) {
+  volume::Instance instance;
+  instance.density = density;
+  return {{instance}};
+}
+
+Result<Out> runScript(const In& in, EvalContext& ctx) {
+  const int calls = ++ctx.state<State>().calls;
+  const auto step = script.at < script.steps.size() ? script.steps[script.at++] : Script::Finish;
+  if (script.bytes) ctx.reportGpu(0, script.bytes);
+  switch (step) {
+    case Script::Finish: break;
+    case Script::Partial: ctx.partial(0.5, script.revision); break;
+    case Script::PartialJob: ctx.partial(0.5, script.revision, true); break;
+    case Script::Pending: ctx.pending(0.25, "Baking"); break;
+    case Script::PendingGpu: ctx.reportGpu(3, 0), ctx.pending(0.25, "Uploading"); break;
+    case Script::Throw: throw std::runtime_error("bang");
+    case Script::Fail: return fail(Code::Gpu, "value: too heavy");
+    case Script::Slow: std::this_thread::sleep_for(std::chrono::milliseconds(5)); ctx.partial(0.1, script.revision); break;
+  }
+  return Out{marked(in.value + 100 * calls)};
+}
+
+Result<Out> pass(const In& in, EvalContext&) { return Out{in.volume}; }
+
+void describeIt(Describe<In, Out>& d) {
+  d.in("volume", &In::volume).many();
+  d.in("camera", &In::camera);
+  d.in("value", &In::value).range(-1e6, 1e6);
+  d.out("volume", &Out::volume);
+}
+template <unsigned Bits>
+void describeUses(Describe<In, Out>& d) {
+  describeIt(d);
+  d.uses(Bits);
+}
+
+struct CameraOut {
+  CameraValue camera;
+};
+struct NoIn {};
+Result<CameraOut> makeCamera(const NoIn&, EvalContext&) { return CameraOut{{std::make_shared<const scene::Camera>()}}; }
+
+const NodeType* lookup(std::string_view id) {
+  static const std::vector<NodeType> types = {
+      makeNode<In, Out>("t.script", 1, describeIt, runScript),
+      makeNode<In, Out>("t.pass", 1, describeIt, pass),
+      makeNode<In, Out>("t.frame", 1, describeUses<UsesFrame>, pass),
+      makeNode<In, Out>("t.size", 1, describeUses<UsesSize>, pass),
+      makeNode<In, Out>("t.quality", 1, describeUses<UsesQuality>, pass),
+      makeNode<In, Out>("t.free", 1, describeUses<UsesFreeCamera>, pass),
+      makeNode<NoIn, CameraOut>("t.camera", 1, [](Describe<NoIn, CameraOut>& d) { d.out("camera", &CameraOut::camera); }, makeCamera)};
+  for (const NodeType& type : types)
+    if (type.id == id) return &type;
+  return nullptr;
+}
+
+class Progressive : public testing::Test {
+ protected:
+  Progressive() {
+    script = {};
+    add("S", "t.script");
+    add("P", "t.pass");
+    graph.links.push_back({"S", "volume", "P", "volume"});
+  }
+  void add(const std::string& name, const std::string& type) { graph.nodes[name] = std::make_shared<const Node>(Node{.type = type}); }
+  void value(double v) {
+    Node node = *graph.nodes["S"];
+    node.params["value"] = v;
+    graph.nodes["S"] = std::make_shared<const Node>(node);
+  }
+  EvalReport run() { return evaluator.evaluate(graph, {"P"}, settings); }
+  NodeState state(const std::string& node) const { return evaluator.status(node).state; }
+  double density(const SocketValue* v) const { return v ? std::get<VolumeValue>(*v).items.at(0).density : -1; }
+  double shown() const { return density(evaluator.output("P", "volume")); }
+  std::uint64_t calls(const std::string& node) const { return evaluator.status(node).evaluations; }
+
+  Graph graph;
+  EvalSettings settings;
+  Evaluator evaluator{nullptr, lookup};
+};
+
+TEST_F(Progressive, PartialValuesFlowOnAndTheStateIsKeptUntilDone) {
+  script.steps = {Script::Partial, Script::Partial};
+  EvalReport report = run();
+  EXPECT_FALSE(report.complete);
+  EXPECT_FALSE(report.waitingForJobs);
+  EXPECT_EQ(state("S"), NodeState::Partial);
+  EXPECT_EQ(state("P"), NodeState::Partial) << "finished, but on a value that still improves";
+  EXPECT_EQ(shown(), 101);
+  run();
+  EXPECT_EQ(shown(), 101) << "the same revision: downstream does not run again";
+  EXPECT_EQ(density(evaluator.output("S", "volume")), 201) << "one state object through all calls";
+  EXPECT_EQ(calls("P"), 1u);
+  EXPECT_EQ(script.alive, 1);
+  report = run();
+  EXPECT_TRUE(report.complete);
+  EXPECT_EQ(state("S"), NodeState::Ready);
+  EXPECT_EQ(state("P"), NodeState::Ready);
+  EXPECT_EQ(shown(), 301);
+  EXPECT_EQ(script.alive, 0) << "dropped when complete";
+  run();
+  EXPECT_EQ(calls("S"), 3u);
+  EXPECT_EQ(calls("P"), 2u);
+}
+
+TEST_F(Progressive, ANewRevisionRunsDownstreamAgain) {
+  script.steps = {Script::Partial, Script::Partial, Script::Partial};
+  run();
+  script.revision = 1;
+  run();
+  EXPECT_EQ(shown(), 201);
+  run();
+  EXPECT_EQ(calls("P"), 2u);
+}
+
+TEST_F(Progressive, WhilePendingDownstreamWaitsAndTheLastGoodValueStays) {
+  run();
+  EXPECT_EQ(shown(), 101);
+  value(2);
+  script = {.steps = {Script::Pending, Script::Pending}};
+  const EvalReport report = run();
+  EXPECT_FALSE(report.complete);
+  EXPECT_TRUE(report.waitingForJobs);
+  EXPECT_EQ(state("S"), NodeState::Pending);
+  EXPECT_EQ(evaluator.status("S").what, "Baking");
+  EXPECT_EQ(state("P"), NodeState::Pending);
+  EXPECT_EQ(evaluator.status("P").what, "Waiting for S");
+  EXPECT_EQ(evaluator.output("P", "volume"), nullptr);
+  EXPECT_FALSE(evaluator.key("P"));
+  EXPECT_EQ(density(evaluator.lastGood("P", "volume")), 101);
+  EXPECT_EQ(density(evaluator.lastGoodInput("P", "volume")), 101);
+  run();
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(shown(), 302);
+  EXPECT_EQ(density(evaluator.lastGood("P", "volume")), 302);
+}
+
+TEST_F(Progressive, WaitingIsToldFromWorking) {
+  script.steps = {Script::PendingGpu, Script::PartialJob, Script::Partial};
+  EXPECT_FALSE(run().waitingForJobs) << "a pending node that used the GPU goes on at once";
+  EXPECT_TRUE(run().waitingForJobs) << "a partial value whose job goes on elsewhere";
+  EXPECT_FALSE(run().waitingForJobs);
+}
+
+TEST_F(Progressive, AnInfiniteBudgetWaitsForFinalValues) {
+  settings.budgetMs = std::numeric_limits<double>::infinity();
+  script.steps = {Script::PartialJob};
+  EXPECT_FALSE(run().complete);
+  EXPECT_EQ(state("P"), NodeState::Pending);
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(calls("P"), 1u) << "nothing was rendered on the coarse value";
+}
+
+TEST_F(Progressive, TheBudgetEndsACallButOneStepIsAlwaysDone) {
+  add("S2", "t.script");
+  Node node = *graph.nodes["S2"];
+  node.params["value"] = 7.0;
+  graph.nodes["S2"] = std::make_shared<const Node>(node);
+  graph.links.push_back({"S2", "volume", "P", "volume"});
+  settings.budgetMs = 0;
+  script.steps = {Script::Slow, Script::Finish, Script::Finish};
+  EXPECT_FALSE(run().complete);
+  EXPECT_EQ(calls("S") + calls("S2"), 1u);
+  EXPECT_FALSE(run().complete);
+  EXPECT_EQ(calls("S") + calls("S2"), 2u);
+  EXPECT_FALSE(run().complete);
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(calls("P"), 1u);
+}
+
+TEST_F(Progressive, StatesNobodyWantsAreDroppedAfterThreeCalls) {
+  script.steps = {Script::Pending, Script::Pending, Script::Pending, Script::Pending, Script::Pending, Script::Pending};
+  run();
+  value(2);
+  run();
+  EXPECT_EQ(script.alive, 2) << "Draft and Final take turns";
+  value(1);
+  run();
+  EXPECT_EQ(calls("S"), 3u);
+  EXPECT_EQ(script.alive, 2);
+  for (int i = 0; i < 3; ++i) run();
+  EXPECT_EQ(script.alive, 1) << "the other one's job is cancelled";
+  evaluator.clear();
+  EXPECT_EQ(script.alive, 0);
+}
+
+TEST_F(Progressive, ExceptionsAndErrorsBecomeFailures) {
+  script.steps = {Script::Throw, Script::Fail};
+  EXPECT_TRUE(run().failed);
+  EXPECT_EQ(evaluator.status("S").error.code, Code::Internal);
+  EXPECT_EQ(evaluator.status("S").error.message, "S: internal error: bang");
+  EXPECT_EQ(state("P"), NodeState::Skipped);
+  run();
+  EXPECT_EQ(calls("S"), 1u) << "a failure is not tried again";
+  value(2);
+  run();
+  EXPECT_EQ(evaluator.status("S").error.code, Code::Gpu);
+  EXPECT_EQ(evaluator.status("S").error.message, "S.value: too heavy");
+}
+
+TEST_F(Progressive, OldResultsAreDroppedBeyondTheLimit) {
+  script.bytes = std::size_t(10) << 20;
+  evaluator.setCacheLimit(std::size_t(35) << 20);
+  for (int i = 0; i < 10; ++i) value(i), run();
+  const auto before = calls("S");
+  value(8), run();
+  EXPECT_EQ(calls("S"), before) << "used in the last four calls";
+  value(0), run();
+  EXPECT_EQ(calls("S"), before + 1) << "long unused";
+  evaluator.setCacheLimit(0);
+  for (int i = 0; i < 6; ++i) run();
+  EXPECT_EQ(calls("S"), before + 1) << "what is in use stays, whatever the limit";
+}
+
+TEST_F(Progressive, EqualNodesShareOneResult) {
+  add("S2", "t.script");
+  graph.links.push_back({"S2", "volume", "P", "volume"});
+  run();
+  EXPECT_EQ(calls("S") + calls("S2"), 1u);
+}
+
+TEST_F(Progressive, KeysHoldOnlyWhatATypeUses) {
+  for (const std::string kind : {"frame", "size", "quality", "free"}) add(kind, "t." + kind);
+  add("plain", "t.pass");
+  const std::vector<std::string> all = {"frame", "size", "quality", "free", "plain"};
+  const auto changedBy = [&](auto change) {
+    evaluator.evaluate(graph, all, settings);
+    std::map<std::string, Key> before;
+    for (const auto& name : all) before[name] = evaluator.key(name);
+    change();
+    evaluator.evaluate(graph, all, settings);
+    std::string changed;
+    for (const auto& name : all)
+      if (evaluator.key(name) != before[name]) changed += name + " ";
+    return changed;
+  };
+  EXPECT_EQ(changedBy([&] { settings.frame = 2; }), "frame ");
+  EXPECT_EQ(changedBy([&] { settings.size = {10, 10}; }), "size ");
+  EXPECT_EQ(changedBy([&] { settings.quality = Quality::Draft; }), "quality ");
+  EXPECT_EQ(changedBy([&] { settings.freeCamera = scene::Camera{}; }), "free ");
+  EXPECT_EQ(changedBy([&] { settings.freeCamera->fov = 20; }), "free ");
+  EXPECT_EQ(changedBy([&] { settings.budgetMs = 1; }), "");
+  add("camera", "t.camera");
+  graph.links.push_back({"camera", "camera", "free", "camera"});
+  EXPECT_EQ(changedBy([&] { settings.freeCamera->fov = 30; }), "") << "a linked camera replaces the free one";
+}
+
+TEST_F(Progressive, TheOrderOfLinksIsContent) {
+  add("S2", "t.script");
+  Node node = *graph.nodes["S2"];
+  node.params["value"] = 7.0;
+  graph.nodes["S2"] = std::make_shared<const Node>(node);
+  graph.links.push_back({"S2", "volume", "P", "volume"});
+  run();
+  const Key key = evaluator.key("P");
+  std::swap(graph.links[0], graph.links[1]);
+  run();
+  EXPECT_NE(evaluator.key("P"), key);
+  EXPECT_EQ(shown(), 107);
+}
+
+}  // namespace
+}  // namespace pileus::nodes

@@ -11,7 +11,8 @@ ParamValue valueAt(const Animation& animation, double frame) {
                                      [](double f, const AnimationKey& key) { return f < key.frame; });
   if (next == keys.begin()) return keys.front().value;
   const AnimationKey& a = *(next - 1);
-  if (next == keys.end() || a.interpolation == Interpolation::Constant || a.value.index() != next->value.index())
+  if (next == keys.end() || a.interpolation == Interpolation::Constant ||
+      a.value.index() != next->value.index())
     return a.value;
   double t = (frame - a.frame) / (next->frame - a.frame);
   if (a.interpolation == Interpolation::Smooth) t = t * t * (3.0 - 2.0 * t);

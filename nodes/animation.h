@@ -14,7 +14,8 @@ constexpr auto enumInfo(Interpolation*) {
   using I = Interpolation;
   return std::array{EnumItem<I>{I::Constant, "constant", "Constant", "Holds the value until the next key."},
                     EnumItem<I>{I::Linear, "linear", "Linear", "A straight line to the next key."},
-                    EnumItem<I>{I::Smooth, "smooth", "Smooth", "Eases out of this key and into the next; never overshoots."}};
+                    EnumItem<I>{I::Smooth, "smooth", "Smooth",
+                                "Eases out of this key and into the next; never overshoots."}};
 }
 
 struct AnimationKey {
@@ -30,7 +31,8 @@ struct Animation {
   bool operator==(const Animation&) const = default;
 };
 
-/// The first value before the first key, the last one after the last. Integers are rounded; booleans and texts hold.
+/// The first value before the first key, the last one after the last. Integers are rounded; booleans and
+/// texts hold.
 ParamValue valueAt(const Animation& animation, double frame);
 
 }  // namespace pileus::nodes

@@ -42,6 +42,7 @@ struct Evaluator::Impl {
   ResultCache cache;
   std::uint64_t call = 0;
   Graph graph;
+  std::map<std::string, std::vector<const Link*>> incoming;  ///< active links of `graph` by target
   std::map<std::string, NodeStatus> statuses;
   std::map<std::string, Run> runs;
   std::map<std::string, Values> lastGood;
@@ -49,25 +50,33 @@ struct Evaluator::Impl {
   // Of the evaluate() in progress.
   const EvalSettings* settings = nullptr;
   Stopwatch clock;
-  bool stepped = false;      ///< the one step that is always done was done
-  bool workLeft = false;     ///< an unfinished node could go on at once
-  std::size_t waiting = 0;   ///< unfinished nodes that wait for a job
+  bool stepped = false;     ///< the one step that is always done was done
+  bool workLeft = false;    ///< an unfinished node could go on at once
+  std::size_t waiting = 0;  ///< unfinished nodes that wait for a job
 
   const NodeType* typeOf(const std::string& node) const {
     const Node* n = findNode(graph, node);
     return n ? lookup(n->type) : nullptr;
   }
+  const std::vector<const Link*>& linksInto(const std::string& node) const {
+    static const std::vector<const Link*> none;
+    const auto it = incoming.find(node);
+    return it == incoming.end() ? none : it->second;
+  }
   const Link* firstLink(const std::string& node, std::string_view socket) const {
-    for (const Link& link : graph.links)
-      if (!link.muted && link.toNode == node && link.toSocket == socket) return &link;
+    for (const Link* link : linksInto(node))
+      if (link->toSocket == socket) return link;
     return nullptr;
   }
 
   void visit(const std::string& name);
-  std::optional<Error> gather(const std::string& name, const Node& node, const NodeType& type, NodeInputs& in);
+  std::optional<Error> gather(const std::string& name, const Node& node, const NodeType& type,
+                              NodeInputs& in);
   void passThrough(const NodeType& type, const NodeInputs& in, Run& run);
-  void step(const std::string& name, const NodeType& type, const NodeInputs& in, CachedResult& result, const Key& key);
-  void publish(const std::string& name, const NodeType& type, const NodeInputs& in, const CachedResult& result);
+  void step(const std::string& name, const NodeType& type, const NodeInputs& in, CachedResult& result,
+            const Key& key);
+  void publish(const std::string& name, const NodeType& type, const NodeInputs& in,
+               const CachedResult& result);
   void failed(const std::string& name, NodeState state, Error error) {
     NodeStatus& status = statuses[name];
     status.state = state;
@@ -82,21 +91,25 @@ Evaluator::Evaluator(view::Renderer* renderer, TypeLookup lookup) : impl_(std::m
 Evaluator::~Evaluator() = default;
 
 /// Collects the values, keys and parameters of a node. An error names node and key.
-std::optional<Error> Evaluator::Impl::gather(const std::string& name, const Node& node, const NodeType& type, NodeInputs& in) {
+std::optional<Error> Evaluator::Impl::gather(const std::string& name, const Node& node, const NodeType& type,
+                                             NodeInputs& in) {
   in.links.resize(type.inputs.size());
   in.keys.resize(type.inputs.size());
-  for (const Link& link : graph.links) {
-    if (link.toNode != name || link.muted) continue;
+  for (const Link* incomingLink : linksInto(name)) {
+    const Link& link = *incomingLink;
     const int index = type.inputIndex(link.toSocket);
     if (index < 0) return fail(Code::Input, "{}.{}: there is no such input", name, link.toSocket);
     const auto i = static_cast<std::size_t>(index);
     const NodeType* source = typeOf(link.fromNode);
     const int output = source ? source->outputIndex(link.fromSocket) : -1;
-    if (output < 0) return fail(Code::Input, "{}.{}: {} has no output '{}'", name, link.toSocket, link.fromNode, link.fromSocket);
+    if (output < 0)
+      return fail(Code::Input, "{}.{}: {} has no output '{}'", name, link.toSocket, link.fromNode,
+                  link.fromSocket);
     const auto o = static_cast<std::size_t>(output);
     if (!convertible(source->outputs[o].type, type.inputs[i].type))
-      return fail(Code::Input, "{}.{}: takes {}, but {}.{} gives {}", name, link.toSocket, enumId(type.inputs[i].type),
-                  link.fromNode, link.fromSocket, enumId(source->outputs[o].type));
+      return fail(Code::Input, "{}.{}: takes {}, but {}.{} gives {}", name, link.toSocket,
+                  enumId(type.inputs[i].type), link.fromNode, link.fromSocket,
+                  enumId(source->outputs[o].type));
     if (!type.inputs[i].many && in.linked.contains(index))
       return fail(Code::Input, "{}.{}: takes one link, but has several", name, link.toSocket);
     in.linked.insert(index);
@@ -120,8 +133,9 @@ void Evaluator::Impl::passThrough(const NodeType& type, const NodeInputs& in, Ru
   run.outputKeys.assign(type.outputs.size(), Hasher().add("nothing").key());
   run.final = in.final;
   if (!type.outputs.empty()) {
-    const auto input = std::find_if(type.inputs.begin(), type.inputs.end(),
-                                    [&](const SocketSpec& spec) { return spec.type == type.outputs[0].type; });
+    const auto input = std::find_if(type.inputs.begin(), type.inputs.end(), [&](const SocketSpec& spec) {
+      return spec.type == type.outputs[0].type;
+    });
     const auto i = static_cast<std::size_t>(input - type.inputs.begin());
     if (input != type.inputs.end() && !in.links[i].empty()) {
       values[0] = joinedValue(in.links[i]);
@@ -139,8 +153,8 @@ void Evaluator::Impl::passThrough(const NodeType& type, const NodeInputs& in, Ru
 }
 
 /// One call of the node's evaluate(); nothing it throws gets past here.
-void Evaluator::Impl::step(const std::string& name, const NodeType& type, const NodeInputs& in, CachedResult& result,
-                           const Key& key) {
+void Evaluator::Impl::step(const std::string& name, const NodeType& type, const NodeInputs& in,
+                           CachedResult& result, const Key& key) {
   EvalContext context(*settings, renderer, result.state, key, clock);
   const Stopwatch watch;
   Result<std::vector<SocketValue>> values = fail(Code::Internal, "not evaluated");
@@ -165,14 +179,17 @@ void Evaluator::Impl::step(const std::string& name, const NodeType& type, const 
   result.what = context.what();
   result.waitsForJob = context.waitsForJob();
   if (!values) result.error = values.error();
-  if (result.usable) result.values = std::make_shared<const std::vector<SocketValue>>(std::move(*values));
-  else if (result.complete) result.values = nullptr;
+  if (result.usable)
+    result.values = std::make_shared<const std::vector<SocketValue>>(std::move(*values));
+  else if (result.complete)
+    result.values = nullptr;
   if (result.complete) result.state.reset();
   // Looking after a job costs nothing: it is not the step of real work that each call is owed.
   if (result.complete || !result.waitsForJob) stepped = true;
 }
 
-void Evaluator::Impl::publish(const std::string& name, const NodeType& type, const NodeInputs& in, const CachedResult& result) {
+void Evaluator::Impl::publish(const std::string& name, const NodeType& type, const NodeInputs& in,
+                              const CachedResult& result) {
   NodeStatus& status = statuses[name];
   Run& run = runs[name];
   status.cpuMs = result.cpuMs;
@@ -186,7 +203,8 @@ void Evaluator::Impl::publish(const std::string& name, const NodeType& type, con
   }
   status.fraction = result.complete ? 1 : result.fraction;
   status.what = result.what;
-  status.state = result.values ? (result.complete && in.final ? NodeState::Ready : NodeState::Partial) : NodeState::Pending;
+  status.state = result.values ? (result.complete && in.final ? NodeState::Ready : NodeState::Partial)
+                               : NodeState::Pending;
   run.values = result.values;
   run.final = result.complete && in.final;
   if (!result.values) return;
@@ -203,14 +221,14 @@ void Evaluator::Impl::publish(const std::string& name, const NodeType& type, con
 void Evaluator::Impl::visit(const std::string& name) {
   const Node& node = *findNode(graph, name);
   const NodeType* type = lookup(node.type);
-  if (!type) return failed(name, NodeState::Failed, fail(Code::Input, "{}: unknown node type '{}'", name, node.type));
-  for (const Link& link : graph.links) {
-    if (link.toNode != name || link.muted) continue;
-    if (!findNode(graph, link.fromNode))
+  if (!type)
+    return failed(name, NodeState::Failed, fail(Code::Input, "{}: unknown node type '{}'", name, node.type));
+  for (const Link* link : linksInto(name)) {
+    if (!findNode(graph, link->fromNode))
       return failed(name, NodeState::Failed,
-                    fail(Code::Input, "{}.{}: there is no node '{}'", name, link.toSocket, link.fromNode));
-    if (const NodeStatus& from = statuses[link.fromNode]; isFailure(from.state)) {
-      const std::string& source = from.state == NodeState::Failed ? link.fromNode : from.what;
+                    fail(Code::Input, "{}.{}: there is no node '{}'", name, link->toSocket, link->fromNode));
+    if (const NodeStatus& from = statuses[link->fromNode]; isFailure(from.state)) {
+      const std::string& source = from.state == NodeState::Failed ? link->fromNode : from.what;
       const Error error = fail(from.error.code, "{}: skipped, because {} failed", name, source);
       statuses[name].what = source;
       return failed(name, NodeState::Skipped, error);
@@ -235,7 +253,8 @@ void Evaluator::Impl::visit(const std::string& name) {
   }
   for (std::size_t i = 0; i < type->inputs.size(); ++i)
     if (type->inputs[i].required && in.links[i].empty())
-      return failed(name, NodeState::Failed, fail(Code::Input, "{}.{}: nothing is linked", name, type->inputs[i].id));
+      return failed(name, NodeState::Failed,
+                    fail(Code::Input, "{}.{}: nothing is linked", name, type->inputs[i].id));
 
   run.key = contentKey(*type, in, *settings, graph.settings);
   CachedResult& result = cache.at(run.key, call);
@@ -243,15 +262,21 @@ void Evaluator::Impl::visit(const std::string& name) {
   const bool mayStep = !stepped || clock.ms() < settings->budgetMs || (!isNew && result.waitsForJob);
   if (!result.complete && result.lastStepped != call && mayStep) step(name, *type, in, result, run.key);
   if (!result.complete) {
-    if (result.lastStepped == call && result.waitsForJob) ++waiting;
-    else workLeft = true;
+    if (result.lastStepped == call && result.waitsForJob)
+      ++waiting;
+    else
+      workLeft = true;
   }
   publish(name, *type, in, result);
 }
 
-EvalReport Evaluator::evaluate(const Graph& graph, const std::vector<std::string>& targets, const EvalSettings& settings) {
+EvalReport Evaluator::evaluate(const Graph& graph, const std::vector<std::string>& targets,
+                               const EvalSettings& settings) {
   Impl& self = *impl_;
   self.graph = graph;
+  self.incoming.clear();
+  for (const Link& link : self.graph.links)
+    if (!link.muted) self.incoming[link.toNode].push_back(&link);
   self.settings = &settings;
   self.clock.restart();
   self.stepped = self.workLeft = false;

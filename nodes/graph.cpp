@@ -9,9 +9,11 @@ namespace {
 std::size_t utf8Length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : (lead & 0xF0) == 0xE0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5                 ? 4
-                                                                           : 0;
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : (lead & 0xF0) == 0xE0       ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
   if (length == 0 || text.size() < length) return 0;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(i) & 0xC0) != 0x80) return 0;
@@ -57,7 +59,8 @@ std::string_view socketLabel(SocketType type) {
 }  // namespace
 
 bool operator==(const Graph& a, const Graph& b) {
-  if (a.links != b.links || a.settings != b.settings || a.unknown != b.unknown || a.nodes.size() != b.nodes.size())
+  if (a.links != b.links || a.settings != b.settings || a.unknown != b.unknown ||
+      a.nodes.size() != b.nodes.size())
     return false;
   return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), [](const auto& x, const auto& y) {
     return x.first == y.first && (x.second == y.second || *x.second == *y.second);
@@ -71,9 +74,12 @@ const Node* findNode(const Graph& graph, std::string_view name) {
 
 ParamValue paramValue(const Node& node, const ParamSpec& spec, double frame) {
   ParamValue value = spec.fallback;
-  if (const auto keys = node.animated.find(spec.id); keys != node.animated.end()) value = valueAt(keys->second, frame);
-  else if (const auto it = node.params.find(spec.id); it != node.params.end()) value = it->second;
-  else return value;
+  if (const auto keys = node.animated.find(spec.id); keys != node.animated.end())
+    value = valueAt(keys->second, frame);
+  else if (const auto it = node.params.find(spec.id); it != node.params.end())
+    value = it->second;
+  else
+    return value;
   const auto converted = convertedParam(spec, value);
   return converted ? *converted : spec.fallback;
 }
@@ -128,8 +134,10 @@ std::optional<std::string> linkRefusal(const Graph& graph, const Link& link) {
   const SocketType gives = fromType->outputs[static_cast<std::size_t>(out)].type;
   const SocketType takes = toType->inputs[static_cast<std::size_t>(in)].type;
   if (!convertible(gives, takes)) {
-    std::string text = fmt::format("{} takes {}, not {}", link.toNode, socketLabel(takes), socketLabel(gives));
-    if (const NodeType* helper = bridge(gives, takes)) text += fmt::format(": put a {} node between", helper->label);
+    std::string text =
+        fmt::format("{} takes {}, not {}", link.toNode, socketLabel(takes), socketLabel(gives));
+    if (const NodeType* helper = bridge(gives, takes))
+      text += fmt::format(": put a {} node between", helper->label);
     return text;
   }
   const auto path = pathBetween(graph, link.toNode, link.fromNode);

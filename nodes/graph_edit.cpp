@@ -7,7 +7,8 @@ namespace pileus::nodes {
 namespace {
 
 bool sameEnds(const Link& a, const Link& b) {
-  return a.fromNode == b.fromNode && a.fromSocket == b.fromSocket && a.toNode == b.toNode && a.toSocket == b.toSocket;
+  return a.fromNode == b.fromNode && a.fromSocket == b.fromSocket && a.toNode == b.toNode &&
+         a.toSocket == b.toSocket;
 }
 
 bool sameInput(const Link& a, const Link& b) { return a.toNode == b.toNode && a.toSocket == b.toSocket; }
@@ -82,7 +83,8 @@ Graph removeNodes(const Graph& graph, const std::set<std::string>& names, bool r
   Graph result = graph;
   for (const std::string& name : names) {
     if (reconnect) result = bridged(result, name);
-    std::erase_if(result.links, [&](const Link& link) { return link.fromNode == name || link.toNode == name; });
+    std::erase_if(result.links,
+                  [&](const Link& link) { return link.fromNode == name || link.toNode == name; });
     result.nodes.erase(name);
   }
   return result;
@@ -100,7 +102,8 @@ Result<Graph> connect(const Graph& graph, const Link& wanted) {
   const auto place = std::count_if(result.links.begin(), first, [&](const Link& l) { return !replaced(l); });
   std::erase_if(result.links, replaced);
   if (const auto reason = linkRefusal(result, link))
-    return fail(Code::Arguments, "{}.{} -> {}.{}: {}", link.fromNode, link.fromSocket, link.toNode, link.toSocket, *reason);
+    return fail(Code::Arguments, "{}.{} -> {}.{}: {}", link.fromNode, link.fromSocket, link.toNode,
+                link.toSocket, *reason);
   result.links.insert(result.links.begin() + place, link);
   return result;
 }
@@ -118,7 +121,8 @@ Graph setMuted(const Graph& graph, const Link& link, bool muted) {
   return result;
 }
 
-Result<Graph> setParam(const Graph& graph, const std::string& name, const std::string& param, const ParamValue& value) {
+Result<Graph> setParam(const Graph& graph, const std::string& name, const std::string& param,
+                       const ParamValue& value) {
   const Node* node = findNode(graph, name);
   if (!node) return fail(Code::Arguments, "there is no node '{}'", name);
   const NodeType* type = findNodeType(node->type);
@@ -131,8 +135,10 @@ Result<Graph> setParam(const Graph& graph, const std::string& name, const std::s
   changeNode(result, name, [&](Node& n) {
     n.animated.erase(param);
     n.unknown.erase("params/" + param);
-    if (*checked == spec->fallback) n.params.erase(param);
-    else n.params[param] = *checked;
+    if (*checked == spec->fallback)
+      n.params.erase(param);
+    else
+      n.params[param] = *checked;
   });
   return result;
 }

@@ -5,7 +5,8 @@
 
 namespace pileus::nodes {
 
-/// Rewrites a file of format `from` as one of format `from + 1`. Pure; may assume only that the file is an object.
+/// Rewrites a file of format `from` as one of format `from + 1`. Pure; may assume only that the file is an
+/// object.
 struct Migration {
   int from = 1;
   void (*apply)(nlohmann::json& file) = nullptr;

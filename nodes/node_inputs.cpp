@@ -10,9 +10,12 @@ void addParam(Hasher& hash, const ParamValue& value) {
   hash.add(value.index());
   std::visit(
       [&hash](const auto& v) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>) hash.add(v.x).add(v.y).add(v.z);
-        else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>) hash.add(std::string_view(v));
-        else hash.add(v);
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>)
+          hash.add(v.x).add(v.y).add(v.z);
+        else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>)
+          hash.add(std::string_view(v));
+        else
+          hash.add(v);
       },
       value);
 }
@@ -31,10 +34,12 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
   for (const ParamSpec& spec : type.params) {
     ParamValue raw = spec.fallback;
     if (const auto it = node.params.find(spec.id); it != node.params.end()) raw = it->second;
-    if (const auto it = node.animated.find(spec.id); it != node.animated.end()) raw = valueAt(it->second, settings.frame);
+    if (const auto it = node.animated.find(spec.id); it != node.animated.end())
+      raw = valueAt(it->second, settings.frame);
     if (const auto it = node.unknown.find("params/" + spec.id); it != node.unknown.end()) {
       if (!it->second.starts_with("{\"expr\""))
-        return fail(Code::Input, "{}.{}: {} is not a value this parameter takes", name, spec.id, it->second.substr(0, 80));
+        return fail(Code::Input, "{}.{}: {} is not a value this parameter takes", name, spec.id,
+                    it->second.substr(0, 80));
       in.warnings.push_back(spec.id + ": expressions are not evaluated yet; the default is used");
     }
     auto checked = checkedParam(spec, raw);
@@ -53,7 +58,8 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
   return std::nullopt;
 }
 
-Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings, const Settings& document) {
+Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings,
+               const Settings& document) {
   Hasher hash;
   hash.add(std::string_view(type.id)).add(type.version);
   for (const ParamValue& value : in.params) addParam(hash, value);
@@ -67,7 +73,8 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
   if (type.uses & UsesFrame) hash.add(settings.frame);
   if (type.uses & UsesSize) hash.add(settings.size.x).add(settings.size.y);
   if (type.uses & UsesQuality) hash.add(settings.quality);
-  if (type.uses & UsesColor) hash.add(std::string_view(document.ocio)).add(std::string_view(document.workingSpace));
+  if (type.uses & UsesColor)
+    hash.add(std::string_view(document.ocio)).add(std::string_view(document.workingSpace));
   if ((type.uses & UsesFreeCamera) && !cameraLinked) addCamera(hash, settings.freeCamera);
   return hash.key();
 }
@@ -86,10 +93,14 @@ SocketValue joinedValue(const std::vector<SocketValue>& values) {
     using List = std::decay_t<decltype(list)>;
     for (std::size_t i = 1; i < values.size(); ++i) detail::assignSocket<List>(list, values[i]);
   };
-  if (auto* volumes = std::get_if<VolumeValue>(&joined)) append(*volumes);
-  else if (auto* lights = std::get_if<LightValue>(&joined)) append(*lights);
-  else if (auto* solids = std::get_if<SolidValue>(&joined)) append(*solids);
-  else joined = values.back();
+  if (auto* volumes = std::get_if<VolumeValue>(&joined))
+    append(*volumes);
+  else if (auto* lights = std::get_if<LightValue>(&joined))
+    append(*lights);
+  else if (auto* solids = std::get_if<SolidValue>(&joined))
+    append(*solids);
+  else
+    joined = values.back();
   return joined;
 }
 

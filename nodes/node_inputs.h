@@ -1,5 +1,6 @@
 #pragma once
-// What the evaluator gathers before it calls a node: link values, parameters and the content key made from them.
+// What the evaluator gathers before it calls a node: link values, parameters and the content key made from
+// them.
 #include <set>
 #include <string>
 #include <vector>
@@ -16,17 +17,18 @@ struct NodeInputs {
   std::vector<ParamValue> params;               ///< by parameter: checked, files absolute
   std::vector<Key> stamps;                      ///< of the input files among them
   std::vector<std::string> warnings;
-  std::string waitingFor;                       ///< a node upstream that has no value to go on with; "" = none
-  bool final = true;                            ///< no partial value among the links
+  std::string waitingFor;  ///< a node upstream that has no value to go on with; "" = none
+  bool final = true;       ///< no partial value among the links
 };
 
 /// Fills params and stamps. An error names node and key and what is allowed.
 std::optional<Error> resolveParams(const std::string& name, const Node& node, const NodeType& type,
                                    const EvalSettings& settings, NodeInputs& in);
 
-/// hash(type, version, parameters, keys of linked outputs, and of the context what the type declares to use). The free camera
-/// counts only where no camera is linked.
-Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings, const Settings& document);
+/// hash(type, version, parameters, keys of linked outputs, and of the context what the type declares to use).
+/// The free camera counts only where no camera is linked.
+Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings,
+               const Settings& document);
 
 /// Number to Vector or Color where that is what the input takes; else the value itself.
 SocketValue convertedValue(const SocketValue& value, SocketType to);

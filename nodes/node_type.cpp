@@ -76,7 +76,8 @@ Result<ParamValue> checkedParam(const ParamSpec& spec, const ParamValue& given) 
   PILEUS_TRY(ParamValue value, convertedParam(spec, given));
   const auto outside = [&spec](double v) { return v < spec.hardMin || v > spec.hardMax; };
   if (const auto number = asNumber(value)) {
-    if (outside(*number)) return fail(Code::Arguments, "{} is outside {}", formatNumber(*number), range(spec));
+    if (outside(*number))
+      return fail(Code::Arguments, "{} is outside {}", formatNumber(*number), range(spec));
   } else if (const auto* v = std::get_if<dvec3>(&value)) {
     for (int axis = 0; axis < 3; ++axis)
       if (outside((*v)[axis])) {
@@ -104,7 +105,8 @@ std::string labelFromId(std::string_view id) {
   std::string label(id);
   for (char& c : label)
     if (c == '_') c = ' ';
-  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z')
+    label[0] = static_cast<char>(label[0] - 'a' + 'A');
   return label;
 }
 

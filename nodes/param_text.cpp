@@ -25,7 +25,8 @@ std::optional<double> number(std::string_view text) {
 
 /// "1 2 3", "1,2,3", "[1, 2, 3]", "(1;2;3)": the numbers, or nothing if a part is not one.
 std::optional<std::vector<double>> numbers(std::string_view text) {
-  if (text.size() >= 2 && ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')')))
+  if (text.size() >= 2 &&
+      ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')')))
     text = text.substr(1, text.size() - 2);
   std::vector<double> values;
   constexpr std::string_view kSeparators = " \t,;";
@@ -54,8 +55,10 @@ Result<ParamValue> parseParam(const ParamSpec& spec, std::string_view text) {
   const std::string_view word = trimmed(text);
   switch (spec.type) {
     case ParamType::Text:
-    case ParamType::File: return checkedParam(spec, std::string(text));
-    case ParamType::Enum: return checkedParam(spec, std::string(word));
+    case ParamType::File:
+      return checkedParam(spec, std::string(text));
+    case ParamType::Enum:
+      return checkedParam(spec, std::string(word));
     case ParamType::Bool:
       for (const auto yes : {"true", "1", "on", "yes"})
         if (word == yes) return ParamValue(true);

@@ -1,5 +1,6 @@
 #pragma once
-// Finished results by content key, and the state of unfinished ones. GL thread only (results may own GPU objects).
+// Finished results by content key, and the state of unfinished ones. GL thread only (results may own GPU
+// objects).
 #include <any>
 #include <cstdint>
 #include <map>
@@ -18,25 +19,26 @@ using Values = std::shared_ptr<const std::vector<SocketValue>>;  ///< one per ou
 
 /// What is known about one content key.
 struct CachedResult {
-  bool complete = false;         ///< finished, successfully or not: never evaluated again
-  std::optional<Error> error;    ///< as evaluate() said it, without the node's name
-  Values values;                 ///< null: nothing usable (yet)
-  std::uint64_t revision = 0;    ///< unfinished: of the partial value
-  double fraction = 0;           ///< unfinished
-  bool usable = false;           ///< unfinished: values may flow on
-  bool waitsForJob = false;      ///< unfinished: nothing to do on this thread until a job reports
+  bool complete = false;       ///< finished, successfully or not: never evaluated again
+  std::optional<Error> error;  ///< as evaluate() said it, without the node's name
+  Values values;               ///< null: nothing usable (yet)
+  std::uint64_t revision = 0;  ///< unfinished: of the partial value
+  double fraction = 0;         ///< unfinished
+  bool usable = false;         ///< unfinished: values may flow on
+  bool waitsForJob = false;    ///< unfinished: nothing to do on this thread until a job reports
   std::string what;
   std::vector<std::string> warnings, notes;
   double cpuMs = 0, gpuMs = 0;
   std::size_t bytes = 0;
-  std::any state;                ///< unfinished: the node's own (EvalContext::state)
-  std::uint64_t lastWanted = 0;  ///< number of the evaluate() that last asked for it
-  std::uint64_t lastStepped = 0; ///< and of the one that last called the node
+  std::any state;                 ///< unfinished: the node's own (EvalContext::state)
+  std::uint64_t lastWanted = 0;   ///< number of the evaluate() that last asked for it
+  std::uint64_t lastStepped = 0;  ///< and of the one that last called the node
 };
 
 class ResultCache {
  public:
-  /// Unfinished results live for this many calls unwanted (Draft and Final take turns), then their jobs are cancelled.
+  /// Unfinished results live for this many calls unwanted (Draft and Final take turns), then their jobs are
+  /// cancelled.
   static constexpr std::uint64_t kStateCalls = 3;
   /// Finished results wanted in this many last calls are never dropped.
   static constexpr std::uint64_t kKeepCalls = 4;

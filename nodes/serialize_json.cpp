@@ -10,8 +10,10 @@ constexpr int kDeepest = 64;
 std::string position(std::string_view text, std::size_t byte) {
   int line = 1, column = 1;
   for (std::size_t i = 0; i + 1 < byte && i < text.size(); ++i) {
-    if (text[i] == '\n') ++line, column = 1;
-    else if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) ++column;  // characters, not bytes
+    if (text[i] == '\n')
+      ++line, column = 1;
+    else if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80)
+      ++column;  // characters, not bytes
   }
   return fmt::format("line {}, column {}", line, column);
 }
@@ -36,8 +38,10 @@ std::size_t tooDeep(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (quoted) {
-      if (c == '\\') ++i;
-      else if (c == '"') quoted = false;
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        quoted = false;
     } else if (c == '"') {
       quoted = true;
     } else if (c == '{' || c == '[') {
@@ -75,7 +79,8 @@ class DuplicateFinder {
       path_.pop_back();
     } else if (event == Event::key) {
       path_.back() = parsed.get_ref<const std::string&>();
-      if (!open_.back().insert(path_.back()).second) faults_->push_back({true, place(path_), "is given twice"});
+      if (!open_.back().insert(path_.back()).second)
+        faults_->push_back({true, place(path_), "is given twice"});
     }
     return true;
   }
@@ -87,7 +92,8 @@ class DuplicateFinder {
 };
 
 void writeText(std::string& out, const std::string& text) {
-  // The library's escaping; bytes that are no UTF-8 (a path may hold them) become U+FFFD, so that the file stays readable.
+  // The library's escaping; bytes that are no UTF-8 (a path may hold them) become U+FFFD, so that the file
+  // stays readable.
   out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -8,10 +8,12 @@ namespace pileus::nodes {
 
 using Json = nlohmann::json;  // objects are sorted by key
 
-/// Strict JSON nested at most 64 deep. Names given twice become error faults (the last one counts). The Error holds line and column.
+/// Strict JSON nested at most 64 deep. Names given twice become error faults (the last one counts). The Error
+/// holds line and column.
 Result<Json> parseJson(std::string_view text, std::vector<Fault>& faults);
 
-/// Two-space indent; a list of numbers (with texts among them) on one line; shortest round-trip numbers; ends with a line break.
+/// Two-space indent; a list of numbers (with texts among them) on one line; shortest round-trip numbers; ends
+/// with a line break.
 std::string writeJson(const Json& json);
 
 /// Graph to and from JSON, without settings for the clipboard.

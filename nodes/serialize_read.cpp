@@ -13,8 +13,12 @@ class Reader {
   Graph read(const Json& json);
 
  private:
-  void error(std::string where, std::string text) { faults_->push_back({true, std::move(where), std::move(text)}); }
-  void warning(std::string where, std::string text) { faults_->push_back({false, std::move(where), std::move(text)}); }
+  void error(std::string where, std::string text) {
+    faults_->push_back({true, std::move(where), std::move(text)});
+  }
+  void warning(std::string where, std::string text) {
+    faults_->push_back({false, std::move(where), std::move(text)});
+  }
   void settings(const Json& json, Settings& out);
   std::optional<Node> node(const std::string& name, const Json& json);
   void params(const std::string& name, const Json& json, const NodeType* type, Node& out);
@@ -48,12 +52,15 @@ std::optional<ParamValue> constant(const Json& json) {
   if (isInt(json)) return json.get<int>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_array() && json.size() == 3 && json[0].is_number() && json[1].is_number() && json[2].is_number())
+  if (json.is_array() && json.size() == 3 && json[0].is_number() && json[1].is_number() &&
+      json[2].is_number())
     return dvec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
   return std::nullopt;
 }
 
-bool isPair(const Json& json) { return json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number(); }
+bool isPair(const Json& json) {
+  return json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
+}
 
 bool Reader::text(const Json& json, const std::string& where, std::string& out) {
   if (!json.is_string()) return error(where, shortened(json) + " is not a text"), false;
@@ -68,18 +75,24 @@ void Reader::settings(const Json& json, Settings& out) {
     const bool ints = isPair(value) && isInt(value[0]) && isInt(value[1]);
     if (key == "size") {
       const ivec2 size = ints ? ivec2(value[0].get<int>(), value[1].get<int>()) : ivec2(0);
-      if (!ints) error(where, shortened(value) + " is not two whole numbers");
+      if (!ints)
+        error(where, shortened(value) + " is not two whole numbers");
       else if (size.x < 1 || size.y < 1 || size.x > kLargestSize || size.y > kLargestSize)
         error(where, fmt::format("{}x{} is outside 1x1..{}x{}", size.x, size.y, kLargestSize, kLargestSize));
-      else out.size = size;
+      else
+        out.size = size;
     } else if (key == "frames") {
-      if (!ints) error(where, shortened(value) + " is not two whole numbers");
-      else if (value[0].get<int>() > value[1].get<int>()) error(where, "the first frame comes after the last");
-      else out.frames = {value[0].get<int>(), value[1].get<int>()};
+      if (!ints)
+        error(where, shortened(value) + " is not two whole numbers");
+      else if (value[0].get<int>() > value[1].get<int>())
+        error(where, "the first frame comes after the last");
+      else
+        out.frames = {value[0].get<int>(), value[1].get<int>()};
     } else if (key == "fps") {
       if (!value.is_number() || !(value.get<double>() > 0) || value.get<double>() > 1000)
         error(where, shortened(value) + " is not a number above 0 and up to 1000");
-      else out.fps = value.get<double>();
+      else
+        out.fps = value.get<double>();
     } else if (key == "ocio") {
       text(value, where, out.ocio);
     } else if (key == "workingSpace") {
@@ -92,7 +105,8 @@ void Reader::settings(const Json& json, Settings& out) {
   }
 }
 
-std::optional<Animation> Reader::animation(const std::string& where, const Json& json, const ParamSpec& spec) {
+std::optional<Animation> Reader::animation(const std::string& where, const Json& json,
+                                           const ParamSpec& spec) {
   if (json.size() != 1 || !json["keys"].is_array() || json["keys"].empty())
     return error(where, "an animation is {\"keys\": [[frame, value, \"smooth\"], ...]}"), std::nullopt;
   Animation result;
@@ -101,7 +115,8 @@ std::optional<Animation> Reader::animation(const std::string& where, const Json&
     const bool shaped = key.is_array() && (key.size() == 2 || key.size() == 3) && key[0].is_number() &&
                         (key.size() == 2 || key[2].is_string());
     const auto value = shaped ? constant(key[1]) : std::nullopt;
-    if (!value) return error(where, number + shortened(key) + " is not [frame, value, \"smooth\"]"), std::nullopt;
+    if (!value)
+      return error(where, number + shortened(key) + " is not [frame, value, \"smooth\"]"), std::nullopt;
     const auto checked = checkedParam(spec, *value);
     if (!checked) return error(where, number + checked.error().message), std::nullopt;
     const std::string kind = key.size() == 3 ? key[2].get<std::string>() : "smooth";
@@ -119,8 +134,10 @@ std::optional<Animation> Reader::animation(const std::string& where, const Json&
 void Reader::param(const std::string& where, const Json& json, const ParamSpec& spec, Node& out) {
   const auto keep = [&] { out.unknown["params/" + spec.id] = json.dump(); };
   if (json.is_object() && json.contains("keys")) {
-    if (auto keys = animation(where, json, spec)) out.animated[spec.id] = std::move(*keys);
-    else keep();
+    if (auto keys = animation(where, json, spec))
+      out.animated[spec.id] = std::move(*keys);
+    else
+      keep();
     return;
   }
   if (json.is_object() && json.size() == 1 && json.contains("expr") && json["expr"].is_string()) {
@@ -131,7 +148,8 @@ void Reader::param(const std::string& where, const Json& json, const ParamSpec& 
   const auto converted = value ? convertedParam(spec, *value) : Result<ParamValue>(Error{});
   if (!converted) {
     keep();
-    return error(where, value ? converted.error().message : shortened(json) + " is not a value this parameter takes");
+    return error(
+        where, value ? converted.error().message : shortened(json) + " is not a value this parameter takes");
   }
   // Outside the range it stays as it is: the node fails with the same words until it is corrected.
   if (const auto checked = checkedParam(spec, *converted); !checked) error(where, checked.error().message);
@@ -152,9 +170,11 @@ void Reader::params(const std::string& name, const Json& json, const NodeType* t
 }
 
 std::optional<Node> Reader::node(const std::string& name, const Json& json) {
-  if (const auto valid = checkName(name); !valid) return error("nodes." + name, valid.error().message), std::nullopt;
+  if (const auto valid = checkName(name); !valid)
+    return error("nodes." + name, valid.error().message), std::nullopt;
   if (!json.is_object()) return error(name, "is not an object"), std::nullopt;
-  if (!json.contains("type") || !json["type"].is_string()) return error(name + ".type", "is missing or not a text"), std::nullopt;
+  if (!json.contains("type") || !json["type"].is_string())
+    return error(name + ".type", "is missing or not a text"), std::nullopt;
   Node result;
   result.type = json["type"].get<std::string>();
   const NodeType* type = findNodeType(result.type);
@@ -163,20 +183,25 @@ std::optional<Node> Reader::node(const std::string& name, const Json& json) {
     const std::string where = name + "." + key;
     if (key == "type") continue;
     if (key == "at") {
-      if (isPair(value)) result.at = {value[0].get<double>(), value[1].get<double>()};
-      else error(where, shortened(value) + " is not two numbers");
+      if (isPair(value))
+        result.at = {value[0].get<double>(), value[1].get<double>()};
+      else
+        error(where, shortened(value) + " is not two numbers");
     } else if (key == "params") {
       params(name, value, type, result);
     } else if (key == "bypass") {
-      if (value.is_boolean()) result.bypass = value.get<bool>();
-      else error(where, shortened(value) + " is not true or false");
+      if (value.is_boolean())
+        result.bypass = value.get<bool>();
+      else
+        error(where, shortened(value) + " is not true or false");
     } else if (key == "color") {
       text(value, where, result.color);
     } else if (key == "label") {
       text(value, where, result.label);
     } else if (key == "expose") {
       std::string id;
-      if (!value.is_array()) error(where, "is not a list");
+      if (!value.is_array())
+        error(where, "is not a list");
       else
         for (const Json& item : value)
           if (text(item, where, id)) result.expose.push_back(id);
@@ -194,9 +219,10 @@ std::optional<Link> parseLink(std::string_view text) {
   const std::string_view from = text.substr(0, arrow), to = text.substr(arrow + 4);
   const auto fromDot = from.rfind('.'), toDot = to.rfind('.');
   if (fromDot == std::string_view::npos || toDot == std::string_view::npos) return std::nullopt;
-  Link link{std::string(from.substr(0, fromDot)), std::string(from.substr(fromDot + 1)), std::string(to.substr(0, toDot)),
-            std::string(to.substr(toDot + 1)), false};
-  if (link.fromNode.empty() || link.fromSocket.empty() || link.toNode.empty() || link.toSocket.empty()) return std::nullopt;
+  Link link{std::string(from.substr(0, fromDot)), std::string(from.substr(fromDot + 1)),
+            std::string(to.substr(0, toDot)), std::string(to.substr(toDot + 1)), false};
+  if (link.fromNode.empty() || link.fromSocket.empty() || link.toNode.empty() || link.toSocket.empty())
+    return std::nullopt;
   return link;
 }
 
@@ -236,7 +262,8 @@ Graph Reader::read(const Json& json) {
     error("nodes", "is not an object");
   } else {
     for (const auto& [name, value] : it->items())
-      if (auto read = node(name, value)) graph.nodes.emplace(name, std::make_shared<const Node>(std::move(*read)));
+      if (auto read = node(name, value))
+        graph.nodes.emplace(name, std::make_shared<const Node>(std::move(*read)));
   }
   if (const auto it = json.find("links"); it != json.end()) links(*it, "links", false, graph);
   if (const auto it = json.find("muted"); it != json.end()) links(*it, "muted", true, graph);

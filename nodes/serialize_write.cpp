@@ -15,14 +15,16 @@ Json paramJson(const ParamValue& value) {
   if (const auto* v = std::get_if<bool>(&value)) return *v;
   if (const auto* v = std::get_if<int>(&value)) return *v;
   if (const auto* v = std::get_if<double>(&value)) return numberJson(*v);
-  if (const auto* v = std::get_if<dvec3>(&value)) return Json::array({numberJson(v->x), numberJson(v->y), numberJson(v->z)});
+  if (const auto* v = std::get_if<dvec3>(&value))
+    return Json::array({numberJson(v->x), numberJson(v->y), numberJson(v->z)});
   return std::get<std::string>(value);
 }
 
 Json animationJson(const Animation& animation) {
   Json keys = Json::array();
   for (const AnimationKey& key : animation.keys)
-    keys.push_back(Json::array({numberJson(key.frame), paramJson(key.value), std::string(enumId(key.interpolation))}));
+    keys.push_back(
+        Json::array({numberJson(key.frame), paramJson(key.value), std::string(enumId(key.interpolation))}));
   return {{"keys", std::move(keys)}};
 }
 
@@ -45,8 +47,10 @@ Json nodeJson(const Node& node) {
   if (!node.expose.empty()) json["expose"] = node.expose;
   constexpr std::string_view kParams = "params/";
   for (const auto& [name, text] : node.unknown) {
-    if (name.starts_with(kParams)) restoreUnknown(params, name.substr(kParams.size()), text);
-    else restoreUnknown(json, name, text);
+    if (name.starts_with(kParams))
+      restoreUnknown(params, name.substr(kParams.size()), text);
+    else
+      restoreUnknown(json, name, text);
   }
   json["params"] = std::move(params);
   return json;

@@ -52,9 +52,12 @@ bool checkFile(const std::string& file) {
   const auto folder = std::filesystem::absolute(file, ignored).parent_path();
   for (Fault& fault : checkNeeds(loaded->graph, folder)) faults.push_back(std::move(fault));
   for (const Fault& fault : faults) fmt::print(stderr, "{}: {}\n", file, nodes::faultText(fault));
-  const auto errors = std::count_if(faults.begin(), faults.end(), [](const Fault& fault) { return fault.error; });
+  const auto errors =
+      std::count_if(faults.begin(), faults.end(), [](const Fault& fault) { return fault.error; });
   const auto warnings = std::ssize(faults) - errors;
-  const auto counted = [](std::ptrdiff_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
+  const auto counted = [](std::ptrdiff_t n, const char* what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
   fmt::print("{}: {}\n", file,
              faults.empty() ? "ok" : counted(errors, "error") + ", " + counted(warnings, "warning"));
   return errors > 0;

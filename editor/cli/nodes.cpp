@@ -10,9 +10,15 @@ namespace pileus::cli {
 int nodesMain(NodesFormat format) {
   std::string text;
   switch (format) {
-    case NodesFormat::Text: text = nodes::nodesText(); break;
-    case NodesFormat::Markdown: text = nodes::nodesMarkdown(); break;
-    case NodesFormat::Json: text = nodes::nodesJson(); break;
+    case NodesFormat::Text:
+      text = nodes::nodesText();
+      break;
+    case NodesFormat::Markdown:
+      text = nodes::nodesMarkdown();
+      break;
+    case NodesFormat::Json:
+      text = nodes::nodesJson();
+      break;
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
   return 0;

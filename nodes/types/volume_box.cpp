@@ -19,7 +19,10 @@ void describe(Describe<In, Out>& d) {
   d.help("A box of uniform density. Analytic: rays meet its exact faces, no voxels are made.");
   d.in("center", &In::center).unit("m").range(-1e6, 1e6).soft(-10, 10).help("Where its middle is.");
   d.in("size", &In::size).unit("m").range(1e-6, 1e6).soft(0.01, 10).help("Edge lengths.");
-  d.in("density", &In::density).range(0, 1e6).soft(0, 10).help("Density inside; the medium's extinction multiplies it.");
+  d.in("density", &In::density)
+      .range(0, 1e6)
+      .soft(0, 10)
+      .help("Density inside; the medium's extinction multiplies it.");
   d.out("volume", &Out::volume).help("One volume with the default medium.");
 }
 

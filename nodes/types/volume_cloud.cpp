@@ -27,9 +27,15 @@ struct Out {
 
 void describe(Describe<In, Out>& d) {
   d.name("Cloud").category("Volume").keywords("cumulus procedural noise sky weather bake");
-  d.help("A field of cumulus clouds inside a box, baked to voxels: first at a quarter of the resolution, then in full.");
+  d.help(
+      "A field of cumulus clouds inside a box, baked to voxels: first at a quarter of the resolution, then "
+      "in full.");
   d.in("seed", &In::seed).range(0, 1000000000).soft(0, 100).help("Another number, another sky.");
-  d.in("center", &In::center).unit("m").range(-1e6, 1e6).soft(-1000, 1000).help("Middle of the box that holds the clouds.");
+  d.in("center", &In::center)
+      .unit("m")
+      .range(-1e6, 1e6)
+      .soft(-1000, 1000)
+      .help("Middle of the box that holds the clouds.");
   d.in("size", &In::size).unit("m").range(1e-3, 1e6).soft(10, 5000).help("Edge lengths of the box.");
   d.in("coverage", &In::coverage).range(0, 1).help("The part of the ground under cloud; 0 is a clear sky.");
   d.in("density", &In::density)
@@ -69,8 +75,8 @@ Out placed(const volume::GridPtr& grid) {
 }
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
-  const volume::CloudParams params{in.seed,    in.center, in.size,   in.coverage,  in.density,
-                                   in.detail,  in.billow, in.shear,  in.resolution};
+  const volume::CloudParams params{in.seed,   in.center, in.size,  in.coverage,  in.density,
+                                   in.detail, in.billow, in.shear, in.resolution};
   volume::CloudParams quarter = params;
   quarter.resolution = std::max(kLeastResolution, in.resolution / 4);
   auto& bakes = ctx.state<Bakes>();

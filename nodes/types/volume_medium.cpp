@@ -19,8 +19,14 @@ void describe(Describe<In, Out>& d) {
   d.name("Medium").category("Volume").keywords("extinction albedo scattering phase density shader material");
   d.help("Says how a volume attenuates and scatters light; replaces the medium of everything linked.");
   d.in("volume", &In::volume).required().help("Whose medium is set.");
-  d.in("extinction", &In::extinction).unit("1/m").range(0, 1e6).soft(0, 20).help("sigma_t per unit of density.");
-  d.in("albedo", &In::albedo).range(0, 1).help("The scattered part of what is extinguished; 1 absorbs nothing.");
+  d.in("extinction", &In::extinction)
+      .unit("1/m")
+      .range(0, 1e6)
+      .soft(0, 20)
+      .help("sigma_t per unit of density.");
+  d.in("albedo", &In::albedo)
+      .range(0, 1)
+      .help("The scattered part of what is extinguished; 1 absorbs nothing.");
   d.in("anisotropy", &In::anisotropy)
       .range(-0.99, 0.99)
       .soft(-0.9, 0.9)
@@ -30,7 +36,8 @@ void describe(Describe<In, Out>& d) {
 
 Result<Out> evaluate(const In& in, EvalContext&) {
   Out out{in.volume};
-  for (volume::Instance& instance : out.volume.items) instance.medium = {in.extinction, in.albedo.rgb, in.anisotropy};
+  for (volume::Instance& instance : out.volume.items)
+    instance.medium = {in.extinction, in.albedo.rgb, in.anisotropy};
   return out;
 }
 

@@ -14,7 +14,9 @@ struct Out {
 
 void describe(Describe<In, Out>& d) {
   d.name("Merge").category("Volume").keywords("join combine add union list");
-  d.help("Joins volumes into one list, each keeping its own place and medium. Where they overlap their extinction adds.");
+  d.help(
+      "Joins volumes into one list, each keeping its own place and medium. Where they overlap their "
+      "extinction adds.");
   d.in("volumes", &In::volumes).many().help("The volumes to join, in this order.");
   d.out("volume", &Out::volume).help("All of them.");
 }

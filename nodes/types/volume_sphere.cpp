@@ -18,8 +18,15 @@ void describe(Describe<In, Out>& d) {
   d.name("Sphere").category("Volume").keywords("ball uniform fog analytic ellipsoid");
   d.help("A ball of uniform density. Analytic: rays meet its exact surface, no voxels are made.");
   d.in("center", &In::center).unit("m").range(-1e6, 1e6).soft(-10, 10).help("Where its middle is.");
-  d.in("radius", &In::radius).unit("m").range(1e-6, 1e6).soft(0.01, 10).help("From the middle to the surface.");
-  d.in("density", &In::density).range(0, 1e6).soft(0, 10).help("Density inside; the medium's extinction multiplies it.");
+  d.in("radius", &In::radius)
+      .unit("m")
+      .range(1e-6, 1e6)
+      .soft(0.01, 10)
+      .help("From the middle to the surface.");
+  d.in("density", &In::density)
+      .range(0, 1e6)
+      .soft(0, 10)
+      .help("Density inside; the medium's extinction multiplies it.");
   d.out("volume", &Out::volume).help("One volume with the default medium.");
 }
 

@@ -17,9 +17,12 @@ struct Out {
 
 void describe(Describe<In, Out>& d) {
   d.name("VDB File").category("Volume").keywords("openvdb read import load smoke cloud file");
-  d.help("Reads one grid of an OpenVDB file. The file's own transform places it; a fog volume's values become density.");
+  d.help(
+      "Reads one grid of an OpenVDB file. The file's own transform places it; a fog volume's values become "
+      "density.");
   d.in("file", &In::file).file("vdb").help("The .vdb file. Relative paths start at the graph's folder.");
-  d.in("grid", &In::grid).help("Name of the grid, or name[i] where several share it. Empty: chosen by name and class.");
+  d.in("grid", &In::grid)
+      .help("Name of the grid, or name[i] where several share it. Empty: chosen by name and class.");
   d.out("volume", &Out::volume).help("The grid as one volume with the default medium.");
 }
 
@@ -50,9 +53,10 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (imported.grid->empty()) {
     ctx.note(imported.grid->name.empty() ? "empty" : imported.grid->name + ", empty");
   } else {
-    const dvec3 extent = imported.grid->indexBounds.size() - dvec3(1.0);  // bounds reach one voxel beyond the active ones
-    ctx.note(fmt::format("{}, {:.0f} x {:.0f} x {:.0f}, {} active voxels", imported.grid->name, extent.x, extent.y, extent.z,
-                         imported.grid->activeVoxels));
+    const dvec3 extent =
+        imported.grid->indexBounds.size() - dvec3(1.0);  // bounds reach one voxel beyond the active ones
+    ctx.note(fmt::format("{}, {:.0f} x {:.0f} x {:.0f}, {} active voxels", imported.grid->name, extent.x,
+                         extent.y, extent.z, imported.grid->activeVoxels));
     ctx.reportGpu(0, std::size_t(imported.grid->payloadCount) * volume::kStoredVoxels);
   }
   out.volume.items.push_back(std::move(instance));

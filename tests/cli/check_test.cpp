@@ -23,9 +23,11 @@ class Check : public testing::Test {
   std::filesystem::path folder_ = test::scratchFolder();
 };
 
-const std::string kScene = R"("Box": {"type": "volume.box"}, "Sun": {"type": "light.sun"}, "Render": {"type": "render.volume"},
+const std::string kScene =
+    R"("Box": {"type": "volume.box"}, "Sun": {"type": "light.sun"}, "Render": {"type": "render.volume"},
                               "View": {"type": "output.view"})";
-const std::string kLinks = R"("Box.volume -> Render.volumes", "Sun.light -> Render.lights", "Render.image -> View.image")";
+const std::string kLinks =
+    R"("Box.volume -> Render.volumes", "Sun.light -> Render.lights", "Render.image -> View.image")";
 
 TEST_F(Check, AGoodFileIsOk) {
   const std::string file = write("good.json", graph(kScene, kLinks));
@@ -36,7 +38,8 @@ TEST_F(Check, AGoodFileIsOk) {
 }
 
 TEST_F(Check, WarningsAloneExitZero) {
-  const std::string file = write("odd.json", graph(kScene + R"(, "X": {"type": "volume.from_mars"})", kLinks));
+  const std::string file =
+      write("odd.json", graph(kScene + R"(, "X": {"type": "volume.from_mars"})", kLinks));
   const auto run = test::pileus({"check", file});
   EXPECT_EQ(run.exitCode, 0);
   EXPECT_EQ(run.err, file + ": warning: X: unknown node type 'volume.from_mars'; kept as it is\n");
@@ -44,17 +47,19 @@ TEST_F(Check, WarningsAloneExitZero) {
 }
 
 TEST_F(Check, EveryFaultOfEveryFileIsPrinted) {
-  const std::string bad = write("bad.json", graph(kScene + R"(, "V": {"type": "volume.vdb_file", "params": {"file": "none.vdb"}},
+  const std::string bad =
+      write("bad.json", graph(kScene + R"(, "V": {"type": "volume.vdb_file", "params": {"file": "none.vdb"}},
       "S": {"type": "light.sun", "params": {"elevation": 120, "angle": "wide"}}, "A": {"type": "volume.merge"}, "B": {"type": "volume.merge"})",
-      kLinks + R"(, "A.volume -> B.volumes", "B.volume -> A.volumes")"));
+                              kLinks + R"(, "A.volume -> B.volumes", "B.volume -> A.volumes")"));
   const std::string broken = write("broken.json", "{\n  \"pileus\": 1,,\n}");
   const std::string absent = (folder_ / "absent.json").string();
   const auto run = test::pileus({"check", bad, broken, absent});
   EXPECT_EQ(run.exitCode, 3);
-  for (const std::string& line : {bad + ": error: S.elevation: 120 is outside -90..90", bad + ": error: S.angle: 'wide' is not a number",
-                                  bad + ": error: links: cycle: A -> B -> A",
-                                  bad + ": error: V.file: " + (folder_ / "none.vdb").string() + ": there is no such file",
-                                  broken + ": error: line 2, column 15: not JSON", absent + ": error: "})
+  for (const std::string& line :
+       {bad + ": error: S.elevation: 120 is outside -90..90",
+        bad + ": error: S.angle: 'wide' is not a number", bad + ": error: links: cycle: A -> B -> A",
+        bad + ": error: V.file: " + (folder_ / "none.vdb").string() + ": there is no such file",
+        broken + ": error: line 2, column 15: not JSON", absent + ": error: "})
     EXPECT_NE(run.err.find(line), std::string::npos) << line << "\nin\n" << run.err;
 }
 
@@ -63,13 +68,15 @@ TEST_F(Check, WhatARenderNeedsIsAnErrorAndTheRestAWarning) {
   const auto dangling = test::pileus({"check", write("a.json", graph(kScene + loose, kLinks))});
   EXPECT_EQ(dangling.exitCode, 0) << dangling.err;
   EXPECT_NE(dangling.err.find("warning: Loose.volume: nothing is linked"), std::string::npos) << dangling.err;
-  const auto needed = test::pileus({"check", write("b.json", graph(kScene + loose, kLinks + R"(, "V.volume -> Render.volumes")"))});
+  const auto needed = test::pileus(
+      {"check", write("b.json", graph(kScene + loose, kLinks + R"(, "V.volume -> Render.volumes")"))});
   EXPECT_EQ(needed.exitCode, 3);
   EXPECT_NE(needed.err.find("error: V.file: no file chosen"), std::string::npos) << needed.err;
 }
 
 TEST(Nodes, AreListedAsTextMarkdownAndJson) {
-  const auto text = test::pileus({"nodes"}), markdown = test::pileus({"nodes", "--markdown"}), json = test::pileus({"nodes", "--json"});
+  const auto text = test::pileus({"nodes"}), markdown = test::pileus({"nodes", "--markdown"}),
+             json = test::pileus({"nodes", "--json"});
   EXPECT_EQ(text.exitCode + markdown.exitCode + json.exitCode, 0);
   EXPECT_EQ(text.out, nodes::nodesText());
   EXPECT_EQ(markdown.out, nodes::nodesMarkdown());

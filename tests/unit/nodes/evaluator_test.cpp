@@ -18,15 +18,18 @@ Graph parsed(const std::string& nodes, const std::string& links) {
 }
 
 Graph chain() {
-  return parsed(R"("Box": {"type": "volume.box"}, "Ball": {"type": "volume.sphere"}, "Move": {"type": "volume.transform"},
+  return parsed(
+      R"("Box": {"type": "volume.box"}, "Ball": {"type": "volume.sphere"}, "Move": {"type": "volume.transform"},
                    "Haze": {"type": "volume.medium"}, "All": {"type": "volume.merge"})",
-                R"("Box.volume -> Move.volume", "Move.volume -> Haze.volume", "Haze.volume -> All.volumes", "Ball.volume -> All.volumes")");
+      R"("Box.volume -> Move.volume", "Move.volume -> Haze.volume", "Haze.volume -> All.volumes", "Ball.volume -> All.volumes")");
 }
 
 struct Fixture {
   Evaluator evaluator{nullptr};
   EvalSettings settings;
-  EvalReport run(const Graph& graph, const std::string& target = "All") { return evaluator.evaluate(graph, {target}, settings); }
+  EvalReport run(const Graph& graph, const std::string& target = "All") {
+    return evaluator.evaluate(graph, {target}, settings);
+  }
   std::uint64_t calls(const std::string& node) const { return evaluator.status(node).evaluations; }
   std::uint64_t allCalls(const Graph& graph) const {
     std::uint64_t sum = 0;
@@ -88,10 +91,12 @@ TEST(Evaluator, ComputesWhatTheNodesSay) {
 
 TEST(Evaluator, SunAndCameraMeanWhatTheyDeclare) {
   Fixture f;
-  const Graph graph = parsed(R"("Sun": {"type": "light.sun", "params": {"azimuth": 90, "elevation": 0, "irradiance": 4,
+  const Graph graph =
+      parsed(R"("Sun": {"type": "light.sun", "params": {"azimuth": 90, "elevation": 0, "irradiance": 4,
       "color": [1, 0.5, 0.25], "use_temperature": true, "angle": 0.53}},
       "Cam": {"type": "camera.perspective", "params": {"eye": [0, 1, 9], "fov": 25}}, "Bad": {"type": "camera.perspective",
-      "params": {"eye": [0, 0, 0]}})", "");
+      "params": {"eye": [0, 0, 0]}})",
+             "");
   f.evaluator.evaluate(graph, {"Sun", "Cam", "Bad"}, f.settings);
   const auto& sun = std::get<LightValue>(*f.evaluator.output("Sun", "light")).items.at(0).light;
   EXPECT_NEAR(glm::length(sun.towards - dvec3(1, 0, 0)), 0, 1e-12);
@@ -123,22 +128,29 @@ TEST(Evaluator, FailuresNameNodeAndKeyAndSkipWhatFollows) {
 
   EXPECT_EQ(failure(removeNodes(chain(), {"Box"}), "Move"), "Move.volume: nothing is linked");
   const auto faulty = [](const std::string& param) {
-    return parsed(R"("Haze": {"type": "volume.box", "params": {)" + param + R"(}}, "All": {"type": "volume.merge"})",
-                  R"("Haze.volume -> All.volumes")");
+    return parsed(
+        R"("Haze": {"type": "volume.box", "params": {)" + param + R"(}}, "All": {"type": "volume.merge"})",
+        R"("Haze.volume -> All.volumes")");
   };
   EXPECT_EQ(failure(faulty(R"("density": -1)"), "Haze"), "Haze.density: -1 is outside 0..1e+06");
-  EXPECT_EQ(failure(faulty(R"("density": "thick")"), "Haze"), "Haze.density: \"thick\" is not a value this parameter takes");
+  EXPECT_EQ(failure(faulty(R"("density": "thick")"), "Haze"),
+            "Haze.density: \"thick\" is not a value this parameter takes");
   EXPECT_TRUE(f.run(faulty(R"("density": {"expr": "1"})")).complete);
   EXPECT_EQ(f.evaluator.status("Haze").state, NodeState::Ready);
   EXPECT_EQ(f.evaluator.status("Haze").warnings.size(), 1u);
 
   const std::string merge = R"("All": {"type": "volume.merge"})";
-  EXPECT_EQ(failure(parsed(R"("X": {"type": "no.such"}, )" + merge, R"("X.volume -> All.volumes")"), "X"), "X: unknown node type 'no.such'");
-  EXPECT_EQ(failure(parsed(R"("B": {"type": "volume.box"}, )" + merge, R"("B.smoke -> All.volumes")"), "All"), "All.volumes: B has no output 'smoke'");
-  EXPECT_EQ(failure(parsed(R"("B": {"type": "volume.box"}, )" + merge, R"("B.volume -> All.smoke")"), "All"), "All.smoke: there is no such input");
+  EXPECT_EQ(failure(parsed(R"("X": {"type": "no.such"}, )" + merge, R"("X.volume -> All.volumes")"), "X"),
+            "X: unknown node type 'no.such'");
+  EXPECT_EQ(failure(parsed(R"("B": {"type": "volume.box"}, )" + merge, R"("B.smoke -> All.volumes")"), "All"),
+            "All.volumes: B has no output 'smoke'");
+  EXPECT_EQ(failure(parsed(R"("B": {"type": "volume.box"}, )" + merge, R"("B.volume -> All.smoke")"), "All"),
+            "All.smoke: there is no such input");
   EXPECT_EQ(failure(parsed(R"("S": {"type": "light.sun"}, )" + merge, R"("S.light -> All.volumes")"), "All"),
             "All.volumes: takes volume, but S.light gives light");
-  EXPECT_EQ(failure(parsed(R"("V": {"type": "volume.vdb_file"}, )" + merge, R"("V.volume -> All.volumes")"), "V"), "V.file: no file chosen");
+  EXPECT_EQ(
+      failure(parsed(R"("V": {"type": "volume.vdb_file"}, )" + merge, R"("V.volume -> All.volumes")"), "V"),
+      "V.file: no file chosen");
 }
 
 TEST(Evaluator, CyclesFailByNameAndTheRestGoesOn) {
@@ -188,8 +200,10 @@ TEST(Evaluator, OnlyWhatTheTargetsNeedIsEvaluated) {
 
 TEST(Evaluator, AnimatedParametersFollowTheFrame) {
   Fixture f;
-  const Graph graph = parsed(R"("Box": {"type": "volume.box", "params": {"density": {"keys": [[1, 1, "linear"], [3, 3, "linear"]]}}},
-      "Ball": {"type": "volume.sphere"}, "All": {"type": "volume.merge"})", R"("Box.volume -> All.volumes", "Ball.volume -> All.volumes")");
+  const Graph graph = parsed(
+      R"("Box": {"type": "volume.box", "params": {"density": {"keys": [[1, 1, "linear"], [3, 3, "linear"]]}}},
+      "Ball": {"type": "volume.sphere"}, "All": {"type": "volume.merge"})",
+      R"("Box.volume -> All.volumes", "Ball.volume -> All.volumes")");
   f.run(graph);
   f.settings.frame = 2;
   f.run(graph);
@@ -207,7 +221,8 @@ TEST(Evaluator, AMissingVolumeFileIsAnErrorThatNamesIt) {
   Fixture f;
   f.settings.folder = test::scratchFolder();
   f.settings.budgetMs = kInfinity;
-  Graph graph = set(addNode({}, "volume.vdb_file", {0, 0}, "V").value(), "V", "file", std::string("none.vdb"));
+  Graph graph =
+      set(addNode({}, "volume.vdb_file", {0, 0}, "V").value(), "V", "file", std::string("none.vdb"));
   EvalReport report;
   for (int i = 0; i < 2000 && !(report = f.run(graph, "V")).complete; ++i) {
     EXPECT_TRUE(report.waitingForJobs);
@@ -233,7 +248,8 @@ TEST(Evaluator, CloudsComeCoarseFirst) {
   EvalReport report;
   for (int i = 0; i < 60000 && !(report = f.run(graph, "Cloud")).complete; ++i) {
     EXPECT_TRUE(report.waitingForJobs);
-    if (f.evaluator.output("Cloud", "volume") && voxels.empty()) voxels.push_back(f.volumes("Cloud").at(0).grid->activeVoxels);
+    if (f.evaluator.output("Cloud", "volume") && voxels.empty())
+      voxels.push_back(f.volumes("Cloud").at(0).grid->activeVoxels);
     std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
   ASSERT_TRUE(report.complete);

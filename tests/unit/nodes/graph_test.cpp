@@ -9,7 +9,8 @@
 namespace pileus::nodes {
 namespace {
 
-Graph with(const std::vector<std::pair<std::string, std::string>>& nodes, const std::vector<Link>& links = {}) {
+Graph with(const std::vector<std::pair<std::string, std::string>>& nodes,
+           const std::vector<Link>& links = {}) {
   Graph graph;
   for (const auto& [name, type] : nodes) graph = addNode(graph, type, {0, 0}, name).value();
   for (const Link& link : links) graph = connect(graph, link).value();
@@ -28,7 +29,8 @@ using Names = std::vector<std::string>;
 TEST(Names, AreCheckedAndMadeFree) {
   for (const auto bad : {"", "a.b", "a/b", "a=b", "a->b", "a\nb", " a", "a ", "\x7f", "\xff", "\xc0\xaf"})
     EXPECT_FALSE(checkName(bad)) << bad;
-  for (const auto good : {"Sun", "a-b", "a>b", "Wölkchen", "雲", "Sun 2"}) EXPECT_TRUE(checkName(good)) << good;
+  for (const auto good : {"Sun", "a-b", "a>b", "Wölkchen", "雲", "Sun 2"})
+    EXPECT_TRUE(checkName(good)) << good;
   EXPECT_FALSE(checkName(std::string(129, 'a')));
   EXPECT_TRUE(checkName(std::string(128, 'a')));
   const std::string lengthy = std::string(126, 'a') + "ö";
@@ -46,7 +48,8 @@ TEST(GraphEdit, RefusesWhatCannotBe) {
   EXPECT_FALSE(addNode(graph, "light.sun", {0, 0}, "a.b"));
   EXPECT_FALSE(renameNode(graph, "Sun", "Box"));
   EXPECT_FALSE(renameNode(graph, "Nobody", "X"));
-  EXPECT_EQ(setParam(graph, "Sun", "elevation", 120.0).error().message, "Sun.elevation: 120 is outside -90..90");
+  EXPECT_EQ(setParam(graph, "Sun", "elevation", 120.0).error().message,
+            "Sun.elevation: 120 is outside -90..90");
   EXPECT_FALSE(setParam(graph, "Sun", "height", 1.0));
   EXPECT_FALSE(setParam(graph, "Nobody", "height", 1.0));
 }
@@ -57,12 +60,14 @@ TEST(GraphEdit, KeepsOnlyWhatDiffersFromTheDefault) {
   EXPECT_EQ(findNode(set, "Sun")->params.size(), 1u);
   EXPECT_FALSE(set == graph);
   EXPECT_TRUE(setParam(set, "Sun", "elevation", 40.0).value() == graph);
-  EXPECT_EQ(paramValue(*findNode(set, "Sun"), *findNodeType("light.sun")->param("elevation")), ParamValue(20.0));
+  EXPECT_EQ(paramValue(*findNode(set, "Sun"), *findNodeType("light.sun")->param("elevation")),
+            ParamValue(20.0));
 }
 
 TEST(Links, AreRefusedInWords) {
-  const Graph graph = with({{"Sun", "light.sun"}, {"Box", "volume.box"}, {"T", "volume.transform"}, {"U", "volume.transform"}},
-                           {{"Box", "volume", "T", "volume"}, {"T", "volume", "U", "volume"}});
+  const Graph graph = with(
+      {{"Sun", "light.sun"}, {"Box", "volume.box"}, {"T", "volume.transform"}, {"U", "volume.transform"}},
+      {{"Box", "volume", "T", "volume"}, {"T", "volume", "U", "volume"}});
   EXPECT_EQ(linkRefusal(graph, {"Box", "volume", "U", "volume"}), std::nullopt);
   EXPECT_EQ(*linkRefusal(graph, {"U", "volume", "T", "volume"}), "this would be a cycle: T -> U -> T");
   EXPECT_EQ(*linkRefusal(graph, {"T", "volume", "T", "volume"}), "this would be a cycle: T -> T");
@@ -74,7 +79,11 @@ TEST(Links, AreRefusedInWords) {
 }
 
 TEST(Links, ReplaceInSingleInputsAndQueueInManyOnes) {
-  Graph graph = with({{"A", "volume.box"}, {"B", "volume.box"}, {"C", "volume.box"}, {"T", "volume.transform"}, {"M", "volume.merge"}},
+  Graph graph = with({{"A", "volume.box"},
+                      {"B", "volume.box"},
+                      {"C", "volume.box"},
+                      {"T", "volume.transform"},
+                      {"M", "volume.merge"}},
                      {{"A", "volume", "T", "volume"}, {"B", "volume", "T", "volume"}});
   EXPECT_EQ(sourcesOf(graph, "T"), Names{"B"});
   for (const auto from : {"A", "B", "C"}) graph = connect(graph, {from, "volume", "M", "volumes"}).value();
@@ -85,13 +94,19 @@ TEST(Links, ReplaceInSingleInputsAndQueueInManyOnes) {
   EXPECT_TRUE(setMuted(muted, {"A", "volume", "M", "volumes"}, false) == graph);
   EXPECT_EQ(sourcesOf(disconnect(graph, {"B", "volume", "M", "volumes"}), "M"), (Names{"A", "C"}));
   // A link that closes a cycle only through the one it replaces is fine.
-  const Graph chain = with({{"T", "volume.transform"}, {"U", "volume.transform"}}, {{"T", "volume", "U", "volume"}});
+  const Graph chain =
+      with({{"T", "volume.transform"}, {"U", "volume.transform"}}, {{"T", "volume", "U", "volume"}});
   EXPECT_FALSE(connect(chain, {"U", "volume", "T", "volume"}));
 }
 
 TEST(Links, SurviveRemovalAndRenaming) {
-  Graph graph = with({{"A", "volume.box"}, {"B", "volume.box"}, {"T", "volume.transform"}, {"U", "volume.medium"}, {"M", "volume.merge"}},
-                     {{"A", "volume", "T", "volume"}, {"T", "volume", "U", "volume"}, {"U", "volume", "M", "volumes"}});
+  Graph graph =
+      with({{"A", "volume.box"},
+            {"B", "volume.box"},
+            {"T", "volume.transform"},
+            {"U", "volume.medium"},
+            {"M", "volume.merge"}},
+           {{"A", "volume", "T", "volume"}, {"T", "volume", "U", "volume"}, {"U", "volume", "M", "volumes"}});
   graph = connect(graph, {"B", "volume", "M", "volumes"}).value();
   EXPECT_EQ(sourcesOf(removeNodes(graph, {"T", "U"}, true), "M"), (Names{"A", "B"}));
   EXPECT_EQ(sourcesOf(removeNodes(graph, {"T", "U"}), "M"), Names{"B"});
@@ -111,7 +126,9 @@ TEST(Order, PutsInputsFirstAndNamesCycles) {
   Graph chain;
   for (int i = 0; i < 5000; ++i) {
     const auto name = [](int n) { return "N" + std::to_string(n); };
-    chain.nodes[name(i)] = std::make_shared<const Node>(Node{.type = "volume.transform"});
+    Node node;
+    node.type = "volume.transform";
+    chain.nodes[name(i)] = std::make_shared<const Node>(node);
     if (i > 0) chain.links.push_back({name(i), "volume", name(i - 1), "volume"});
   }
   EXPECT_EQ(evaluationOrder(chain).value().front(), "N4999");
@@ -122,9 +139,11 @@ TEST(Document, MergesDragsAndRestoresSelections) {
   EXPECT_FALSE(document.dirty());
   document.select({"Sun"});
   for (const double elevation : {1.0, 2.0, 3.0})
-    document.edit(setParam(document.graph(), "Sun", "elevation", elevation).value(), "Set elevation", "Sun.elevation");
+    document.edit(setParam(document.graph(), "Sun", "elevation", elevation).value(), "Set elevation",
+                  "Sun.elevation");
   document.endMerge();
-  document.edit(setParam(document.graph(), "Sun", "elevation", 4.0).value(), "Set elevation", "Sun.elevation");
+  document.edit(setParam(document.graph(), "Sun", "elevation", 4.0).value(), "Set elevation",
+                "Sun.elevation");
   document.edit(document.graph(), "Nothing");
   document.select({"Box"});
   document.edit(removeNodes(document.graph(), {"Box"}), "Delete");
@@ -160,15 +179,22 @@ Graph randomEdit(const Graph& graph, std::mt19937& random) {
   const Node* node = findNode(graph, name);
   const NodeType* type = node ? findNodeType(node->type) : nullptr;
   switch (below(10)) {
-    case 0: case 1: case 2:
-      if (graph.nodes.size() < 40) return addNode(graph, allNodeTypes()[below(allNodeTypes().size())].id, {double(below(500)), 0}).value();
+    case 0:
+    case 1:
+    case 2:
+      if (graph.nodes.size() < 40)
+        return addNode(graph, allNodeTypes()[below(allNodeTypes().size())].id, {double(below(500)), 0})
+            .value();
       return removeNodes(graph, {name}, below(2) == 0);
-    case 3: return removeNodes(graph, {name}, below(2) == 0);
-    case 4: case 5: {
+    case 3:
+      return removeNodes(graph, {name}, below(2) == 0);
+    case 4:
+    case 5: {
       const std::string to = pick();
       const NodeType* target = graph.nodes.empty() ? nullptr : findNodeType(findNode(graph, to)->type);
       if (!type || !target || type->outputs.empty() || target->inputs.empty()) return graph;
-      const auto linked = connect(graph, {name, type->outputs[0].id, to, target->inputs[below(target->inputs.size())].id});
+      const auto linked =
+          connect(graph, {name, type->outputs[0].id, to, target->inputs[below(target->inputs.size())].id});
       return linked ? *linked : graph;
     }
     case 6:
@@ -184,7 +210,8 @@ Graph randomEdit(const Graph& graph, std::mt19937& random) {
       const auto renamed = renameNode(graph, name, freeName(graph, "Renamed"));
       return renamed ? *renamed : graph;
     }
-    default: return below(2) ? moveNodes(graph, {name}, {1, 2}) : setBypass(graph, {name}, below(2) == 0);
+    default:
+      return below(2) ? moveNodes(graph, {name}, {1, 2}) : setBypass(graph, {name}, below(2) == 0);
   }
 }
 

@@ -46,14 +46,28 @@ Result<Out> runScript(const In& in, EvalContext& ctx) {
   const auto step = script.at < script.steps.size() ? script.steps[script.at++] : Script::Finish;
   if (script.bytes) ctx.reportGpu(0, script.bytes);
   switch (step) {
-    case Script::Finish: break;
-    case Script::Partial: ctx.partial(0.5, script.revision); break;
-    case Script::PartialJob: ctx.partial(0.5, script.revision, true); break;
-    case Script::Pending: ctx.pending(0.25, "Baking"); break;
-    case Script::PendingGpu: ctx.reportGpu(3, 0), ctx.pending(0.25, "Uploading"); break;
-    case Script::Throw: throw std::runtime_error("bang");
-    case Script::Fail: return fail(Code::Gpu, "value: too heavy");
-    case Script::Slow: std::this_thread::sleep_for(std::chrono::milliseconds(5)); ctx.partial(0.1, script.revision); break;
+    case Script::Finish:
+      break;
+    case Script::Partial:
+      ctx.partial(0.5, script.revision);
+      break;
+    case Script::PartialJob:
+      ctx.partial(0.5, script.revision, true);
+      break;
+    case Script::Pending:
+      ctx.pending(0.25, "Baking");
+      break;
+    case Script::PendingGpu:
+      ctx.reportGpu(3, 0), ctx.pending(0.25, "Uploading");
+      break;
+    case Script::Throw:
+      throw std::runtime_error("bang");
+    case Script::Fail:
+      return fail(Code::Gpu, "value: too heavy");
+    case Script::Slow:
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      ctx.partial(0.1, script.revision);
+      break;
   }
   return Out{marked(in.value + 100 * calls)};
 }
@@ -76,7 +90,9 @@ struct CameraOut {
   CameraValue camera;
 };
 struct NoIn {};
-Result<CameraOut> makeCamera(const NoIn&, EvalContext&) { return CameraOut{{std::make_shared<const scene::Camera>()}}; }
+Result<CameraOut> makeCamera(const NoIn&, EvalContext&) {
+  return CameraOut{{std::make_shared<const scene::Camera>()}};
+}
 
 const NodeType* lookup(std::string_view id) {
   static const std::vector<NodeType> types = {
@@ -86,7 +102,9 @@ const NodeType* lookup(std::string_view id) {
       makeNode<In, Out>("t.size", 1, describeUses<UsesSize>, pass),
       makeNode<In, Out>("t.quality", 1, describeUses<UsesQuality>, pass),
       makeNode<In, Out>("t.free", 1, describeUses<UsesFreeCamera>, pass),
-      makeNode<NoIn, CameraOut>("t.camera", 1, [](Describe<NoIn, CameraOut>& d) { d.out("camera", &CameraOut::camera); }, makeCamera)};
+      makeNode<NoIn, CameraOut>(
+          "t.camera", 1, [](Describe<NoIn, CameraOut>& d) { d.out("camera", &CameraOut::camera); },
+          makeCamera)};
   for (const NodeType& type : types)
     if (type.id == id) return &type;
   return nullptr;
@@ -100,7 +118,11 @@ class Progressive : public testing::Test {
     add("P", "t.pass");
     graph.links.push_back({"S", "volume", "P", "volume"});
   }
-  void add(const std::string& name, const std::string& type) { graph.nodes[name] = std::make_shared<const Node>(Node{.type = type}); }
+  void add(const std::string& name, const std::string& type) {
+    Node node;
+    node.type = type;
+    graph.nodes[name] = std::make_shared<const Node>(node);
+  }
   void value(double v) {
     Node node = *graph.nodes["S"];
     node.params["value"] = v;
@@ -108,7 +130,9 @@ class Progressive : public testing::Test {
   }
   EvalReport run() { return evaluator.evaluate(graph, {"P"}, settings); }
   NodeState state(const std::string& node) const { return evaluator.status(node).state; }
-  double density(const SocketValue* v) const { return v ? std::get<VolumeValue>(*v).items.at(0).density : -1; }
+  double density(const SocketValue* v) const {
+    return v ? std::get<VolumeValue>(*v).items.at(0).density : -1;
+  }
   double shown() const { return density(evaluator.output("P", "volume")); }
   std::uint64_t calls(const std::string& node) const { return evaluator.status(node).evaluations; }
 
@@ -207,7 +231,8 @@ TEST_F(Progressive, TheBudgetEndsACallButOneStepIsAlwaysDone) {
 }
 
 TEST_F(Progressive, StatesNobodyWantsAreDroppedAfterThreeCalls) {
-  script.steps = {Script::Pending, Script::Pending, Script::Pending, Script::Pending, Script::Pending, Script::Pending};
+  script.steps = {Script::Pending, Script::Pending, Script::Pending,
+                  Script::Pending, Script::Pending, Script::Pending};
   run();
   value(2);
   run();

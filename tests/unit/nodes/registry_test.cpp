@@ -62,10 +62,12 @@ TEST(Registry, EveryDeclarationIsCompleteAndUnique) {
 }
 
 TEST(Registry, DefaultsAreThoseOfTheStoredList) {
-  // A changed default changes pictures of files that do not write it: it needs a migration and a new format version, then a new list.
+  // A changed default changes pictures of files that do not write it: it needs a migration and a new format
+  // version, then a new list.
   std::string list;
   for (const NodeType& type : allNodeTypes())
-    for (const ParamSpec& p : type.params) list += type.id + "." + p.id + " = " + formatParam(p, p.fallback) + "\n";
+    for (const ParamSpec& p : type.params)
+      list += type.id + "." + p.id + " = " + formatParam(p, p.fallback) + "\n";
   EXPECT_EQ(fileText("tests/unit/nodes/defaults.txt"), list);
 }
 
@@ -76,7 +78,8 @@ TEST(Registry, TheNodeReferenceIsCurrent) {
 TEST(Registry, EveryParameterIsInEveryListing) {
   const std::string text = nodesText(), markdown = nodesMarkdown(), json = nodesJson();
   for (const NodeType& type : allNodeTypes()) {
-    for (const std::string* listing : {&text, &markdown, &json}) EXPECT_NE(listing->find(type.id), std::string::npos) << type.id;
+    for (const std::string* listing : {&text, &markdown, &json})
+      EXPECT_NE(listing->find(type.id), std::string::npos) << type.id;
     for (const ParamSpec& p : type.params) {
       EXPECT_NE(text.find(p.id), std::string::npos) << p.id;
       EXPECT_NE(markdown.find("`" + p.id + "`"), std::string::npos) << p.id;
@@ -128,7 +131,8 @@ TEST(ParseParam, ReadsCommandLineText) {
   EXPECT_EQ(*parseParam(spec(ParamType::File), "a b.vdb"), ParamValue(std::string("a b.vdb")));
   for (const auto text : {"", "abc", "1.5x", "nan", "inf", "1e999", "0x10", "1 2"})
     EXPECT_FALSE(parseParam(spec(ParamType::Float), text)) << text;
-  for (const auto text : {"", "1 2", "1 2 3 4", "a b c"}) EXPECT_FALSE(parseParam(spec(ParamType::Vector), text)) << text;
+  for (const auto text : {"", "1 2", "1 2 3 4", "a b c"})
+    EXPECT_FALSE(parseParam(spec(ParamType::Vector), text)) << text;
   EXPECT_FALSE(parseParam(spec(ParamType::Bool), "maybe"));
   EXPECT_FALSE(parseParam(spec(ParamType::Int), "1.5"));
 }
@@ -142,7 +146,8 @@ TEST(FormatNumber, IsShortestAndReadsBack) {
 
 TEST(Animation, FollowsItsKeys) {
   using I = Interpolation;
-  const Animation a{{{10, 1.0, I::Linear}, {20, 3.0, I::Smooth}, {30, 5.0, I::Constant}, {40, 9.0, I::Linear}}};
+  const Animation a{
+      {{10, 1.0, I::Linear}, {20, 3.0, I::Smooth}, {30, 5.0, I::Constant}, {40, 9.0, I::Linear}}};
   EXPECT_EQ(valueAt(a, 0), ParamValue(1.0));
   EXPECT_EQ(valueAt(a, 15), ParamValue(2.0));
   EXPECT_EQ(valueAt(a, 20), ParamValue(3.0));
@@ -150,7 +155,8 @@ TEST(Animation, FollowsItsKeys) {
   EXPECT_EQ(valueAt(a, 39), ParamValue(5.0));
   EXPECT_EQ(valueAt(a, 99), ParamValue(9.0));
   EXPECT_EQ(valueAt(Animation{{{0, 0, I::Linear}, {10, 5, I::Linear}}}, 5), ParamValue(3));
-  EXPECT_EQ(valueAt(Animation{{{0, std::string("a"), I::Linear}, {9, std::string("b"), I::Linear}}}, 8), ParamValue(std::string("a")));
+  EXPECT_EQ(valueAt(Animation{{{0, std::string("a"), I::Linear}, {9, std::string("b"), I::Linear}}}, 8),
+            ParamValue(std::string("a")));
 }
 
 }  // namespace

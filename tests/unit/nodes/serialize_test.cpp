@@ -13,7 +13,9 @@
 namespace pileus::nodes {
 namespace {
 
-std::string fixture() { return readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/format1.json").value(); }
+std::string fixture() {
+  return readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/format1.json").value();
+}
 
 /// All faults, one a line.
 std::string faultsOf(std::string_view text) {
@@ -27,7 +29,9 @@ std::string faultsOf(std::string_view text) {
 std::string withNodes(const std::string& nodes, const std::string& links = "") {
   return R"({"pileus": 1, "nodes": {)" + nodes + R"(}, "links": [)" + links + "]}";
 }
-std::string sunWith(const std::string& params) { return withNodes(R"("Sun": {"type": "light.sun", "params": {)" + params + "}}"); }
+std::string sunWith(const std::string& params) {
+  return withNodes(R"("Sun": {"type": "light.sun", "params": {)" + params + "}}");
+}
 
 TEST(Serialize, FormatOneIsReadAndSavedByteForByte) {
   const std::string text = fixture();
@@ -66,9 +70,12 @@ TEST(Serialize, ANewGraphRoundTrips) {
 TEST(Serialize, FaultsNameNodeAndKey) {
   EXPECT_EQ(faultsOf(sunWith(R"("elevation": 120)")), "error: Sun.elevation: 120 is outside -90..90\n");
   EXPECT_EQ(faultsOf(sunWith(R"("elevation": "high")")), "error: Sun.elevation: 'high' is not a number\n");
-  EXPECT_EQ(faultsOf(sunWith(R"("color": [1, 2])")), "error: Sun.color: [1,2] is not a value this parameter takes\n");
-  EXPECT_EQ(faultsOf(sunWith(R"("elevation": null)")), "error: Sun.elevation: null is not a value this parameter takes\n");
-  EXPECT_EQ(faultsOf(sunWith(R"("use_temperature": 1)")), "error: Sun.use_temperature: 1 is not true or false\n");
+  EXPECT_EQ(faultsOf(sunWith(R"("color": [1, 2])")),
+            "error: Sun.color: [1,2] is not a value this parameter takes\n");
+  EXPECT_EQ(faultsOf(sunWith(R"("elevation": null)")),
+            "error: Sun.elevation: null is not a value this parameter takes\n");
+  EXPECT_EQ(faultsOf(sunWith(R"("use_temperature": 1)")),
+            "error: Sun.use_temperature: 1 is not true or false\n");
   EXPECT_EQ(faultsOf(sunWith(R"("elevation": 1, "elevation": 2)")), "error: Sun.elevation: is given twice\n");
   EXPECT_EQ(faultsOf(sunWith(R"("elevation": {"keys": []})")),
             "error: Sun.elevation: an animation is {\"keys\": [[frame, value, \"smooth\"], ...]}\n");
@@ -78,47 +85,68 @@ TEST(Serialize, FaultsNameNodeAndKey) {
             "error: Sun.elevation: key 2: frames must increase\n");
   EXPECT_EQ(faultsOf(sunWith(R"("elevation": {"keys": [[1, 200, "smooth"]]})")),
             "error: Sun.elevation: key 1: 200 is outside -90..90\n");
-  EXPECT_EQ(faultsOf(withNodes(R"("Sun": {"type": "light.sun"}, "Sun": {"type": "light.sun"})")), "error: Sun: is given twice\n");
-  EXPECT_EQ(faultsOf(withNodes(R"("Sun": {"type": "light.sun", "at": [1]})")), "error: Sun.at: [1] is not two numbers\n");
+  EXPECT_EQ(faultsOf(withNodes(R"("Sun": {"type": "light.sun"}, "Sun": {"type": "light.sun"})")),
+            "error: Sun: is given twice\n");
+  EXPECT_EQ(faultsOf(withNodes(R"("Sun": {"type": "light.sun", "at": [1]})")),
+            "error: Sun.at: [1] is not two numbers\n");
   EXPECT_EQ(faultsOf(withNodes(R"("Sun": {"at": [1, 2]})")), "error: Sun.type: is missing or not a text\n");
   EXPECT_EQ(faultsOf(withNodes(R"("Sun": 5)")), "error: Sun: is not an object\n");
-  EXPECT_EQ(faultsOf(withNodes(R"("a.b": {"type": "light.sun"})")), "error: nodes.a.b: 'a.b': a node name may not hold '.'\n");
-  EXPECT_EQ(faultsOf(withNodes(R"("X": {"type": "no.such"})")), "warning: X: unknown node type 'no.such'; kept as it is\n");
+  EXPECT_EQ(faultsOf(withNodes(R"("a.b": {"type": "light.sun"})")),
+            "error: nodes.a.b: 'a.b': a node name may not hold '.'\n");
+  EXPECT_EQ(faultsOf(withNodes(R"("X": {"type": "no.such"})")),
+            "warning: X: unknown node type 'no.such'; kept as it is\n");
 }
 
 TEST(Serialize, LinkFaultsNameTheLink) {
-  const std::string nodes = R"("A": {"type": "volume.transform"}, "B": {"type": "volume.transform"}, "Box": {"type": "volume.box"},
+  const std::string nodes =
+      R"("A": {"type": "volume.transform"}, "B": {"type": "volume.transform"}, "Box": {"type": "volume.box"},
                                "Sun": {"type": "light.sun"})";
   const auto faults = [&](const std::string& links) { return faultsOf(withNodes(nodes, links)); };
   EXPECT_EQ(faults(R"("Box.volume -> A.volume", "A.volume -> B.volume")"), "");
-  EXPECT_EQ(faults(R"("Box.volume - A.volume")"), "error: links[0]: \"Box.volume - A.volume\" is not \"Node.output -> Node.input\"\n");
+  EXPECT_EQ(faults(R"("Box.volume - A.volume")"),
+            "error: links[0]: \"Box.volume - A.volume\" is not \"Node.output -> Node.input\"\n");
   EXPECT_EQ(faults("7"), "error: links[0]: 7 is not \"Node.output -> Node.input\"\n");
-  EXPECT_EQ(faults(R"("Nobody.volume -> A.volume")"), "error: links[0]: \"Nobody.volume -> A.volume\": there is no node 'Nobody'\n");
-  EXPECT_EQ(faults(R"("Box.smoke -> A.volume")"), "error: Box.smoke: there is no such output, in link Box.smoke -> A.volume\n");
-  EXPECT_EQ(faults(R"("Box.volume -> A.smoke")"), "error: A.smoke: there is no such input, in link Box.volume -> A.smoke\n");
-  EXPECT_EQ(faults(R"("Sun.light -> A.volume")"), "error: A.volume: takes volume, but Sun.light gives light\n");
+  EXPECT_EQ(faults(R"("Nobody.volume -> A.volume")"),
+            "error: links[0]: \"Nobody.volume -> A.volume\": there is no node 'Nobody'\n");
+  EXPECT_EQ(faults(R"("Box.smoke -> A.volume")"),
+            "error: Box.smoke: there is no such output, in link Box.smoke -> A.volume\n");
+  EXPECT_EQ(faults(R"("Box.volume -> A.smoke")"),
+            "error: A.smoke: there is no such input, in link Box.volume -> A.smoke\n");
+  EXPECT_EQ(faults(R"("Sun.light -> A.volume")"),
+            "error: A.volume: takes volume, but Sun.light gives light\n");
   EXPECT_EQ(faults(R"("Box.volume -> A.volume", "Box.volume -> A.volume")"),
             "error: links[1]: \"Box.volume -> A.volume\" is listed twice\n");
   EXPECT_EQ(faults(R"("Box.volume -> A.volume", "B.volume -> A.volume")"),
             "error: A.volume: takes one link, but has Box.volume -> A.volume and B.volume -> A.volume\n");
-  EXPECT_EQ(faults(R"("A.volume -> B.volume", "B.volume -> A.volume")"), "error: links: cycle: A -> B -> A\n");
+  EXPECT_EQ(faults(R"("A.volume -> B.volume", "B.volume -> A.volume")"),
+            "error: links: cycle: A -> B -> A\n");
 }
 
 TEST(Serialize, SettingsAreChecked) {
-  const auto faults = [](const std::string& settings) { return faultsOf(R"({"pileus": 1, "nodes": {}, "settings": {)" + settings + "}}"); };
+  const auto faults = [](const std::string& settings) {
+    return faultsOf(R"({"pileus": 1, "nodes": {}, "settings": {)" + settings + "}}");
+  };
   EXPECT_EQ(faults(R"("size": [0, 0])"), "error: settings.size: 0x0 is outside 1x1..32768x32768\n");
-  EXPECT_EQ(faults(R"("size": [1000000, 1000000])"), "error: settings.size: 1000000x1000000 is outside 1x1..32768x32768\n");
-  EXPECT_EQ(faults(R"("size": [1e3, 99999999999])"), "error: settings.size: [1000.0,99999999999] is not two whole numbers\n");
+  EXPECT_EQ(faults(R"("size": [1000000, 1000000])"),
+            "error: settings.size: 1000000x1000000 is outside 1x1..32768x32768\n");
+  EXPECT_EQ(faults(R"("size": [1e3, 99999999999])"),
+            "error: settings.size: [1000.0,99999999999] is not two whole numbers\n");
   EXPECT_EQ(faults(R"("frames": [5, 1])"), "error: settings.frames: the first frame comes after the last\n");
   EXPECT_EQ(faults(R"("fps": 0)"), "error: settings.fps: 0 is not a number above 0 and up to 1000\n");
   EXPECT_EQ(faults(R"("ocio": 3)"), "error: settings.ocio: 3 is not a text\n");
 }
 
 TEST(Serialize, WhatIsNoGraphIsRefusedWithLineAndColumn) {
-  EXPECT_EQ(faultsOf(""), "refused: line 1, column 1: not JSON: syntax error while parsing value - unexpected end of input; expected '[', '{', or a literal\n");
-  EXPECT_TRUE(faultsOf("{\n  \"pileus\": 1,\n  \"nodes\": x\n}").starts_with("refused: line 3, column 12: not JSON")) << faultsOf("{\n  \"pileus\": 1,\n  \"nodes\": x\n}");
+  EXPECT_EQ(faultsOf(""),
+            "refused: line 1, column 1: not JSON: syntax error while parsing value - unexpected end of "
+            "input; expected '[', '{', or a literal\n");
+  EXPECT_TRUE(
+      faultsOf("{\n  \"pileus\": 1,\n  \"nodes\": x\n}").starts_with("refused: line 3, column 12: not JSON"))
+      << faultsOf("{\n  \"pileus\": 1,\n  \"nodes\": x\n}");
   EXPECT_TRUE(faultsOf("{\"pileus\": 1} x").starts_with("refused: line 1, column 15: not JSON"));
-  EXPECT_NE(faultsOf(R"({"pileus": 1, "nodes": {"S": {"type": "light.sun", "params": {"angle": 1e999}}}})").find("refused: "), std::string::npos);
+  EXPECT_NE(faultsOf(R"({"pileus": 1, "nodes": {"S": {"type": "light.sun", "params": {"angle": 1e999}}}})")
+                .find("refused: "),
+            std::string::npos);
   EXPECT_TRUE(faultsOf("[]").starts_with("refused: not a Pileus graph"));
   EXPECT_TRUE(faultsOf("{}").starts_with("refused: not a Pileus graph: \"pileus\""));
   EXPECT_TRUE(faultsOf(R"({"pileus": "1"})").starts_with("refused: not a Pileus graph"));
@@ -136,14 +164,17 @@ TEST(Serialize, FaultyValuesStayUntilTheyAreSet) {
   Graph graph = parseGraph(text)->graph;
   const std::string saved = graphText(graph);
   EXPECT_EQ(graphText(parseGraph(saved)->graph), saved);
-  for (const auto part : {"\"elevation\": 120", "\"azimuth\": \"north\"", "\"keys\": 3"}) EXPECT_NE(saved.find(part), std::string::npos) << part;
-  for (const auto param : {"elevation", "azimuth", "irradiance"}) graph = setParam(graph, "Sun", param, 10.0).value();
+  for (const auto part : {"\"elevation\": 120", "\"azimuth\": \"north\"", "\"keys\": 3"})
+    EXPECT_NE(saved.find(part), std::string::npos) << part;
+  for (const auto param : {"elevation", "azimuth", "irradiance"})
+    graph = setParam(graph, "Sun", param, 10.0).value();
   EXPECT_EQ(faultsOf(graphText(graph)), "");
 }
 
 TEST(Serialize, MigrationsRunInOrderFromTheFilesFormat) {
-  const Migration steps[] = {{1, [](nlohmann::json& file) { file["trace"] = file.value("trace", "") + "1"; }},
-                             {2, [](nlohmann::json& file) { file["trace"] = file.value("trace", "") + "2"; }}};
+  const Migration steps[] = {
+      {1, [](nlohmann::json& file) { file["trace"] = file.value("trace", "") + "1"; }},
+      {2, [](nlohmann::json& file) { file["trace"] = file.value("trace", "") + "2"; }}};
   nlohmann::json old = {{"pileus", 1}}, newer = {{"pileus", 2}};
   migrate(old, 1, steps);
   migrate(newer, 2, steps);
@@ -164,7 +195,8 @@ TEST(Files, StorePathsRelativeToThemselves) {
     EXPECT_EQ(std::get<std::string>(findNode(graph, "V")->params.at("file")), typed) << "in memory as typed";
     const auto loaded = loadGraph(root / "graphs" / "g.json");
     EXPECT_TRUE(loaded && loaded->faults.empty());
-    EXPECT_EQ(readFile(root / "graphs" / "g.json").value(), graphText(loaded->graph)) << "re-saved byte for byte";
+    EXPECT_EQ(readFile(root / "graphs" / "g.json").value(), graphText(loaded->graph))
+        << "re-saved byte for byte";
     return std::get<std::string>(findNode(loaded->graph, "V")->params.at("file"));
   };
   EXPECT_EQ(stored((root / "data" / "a.vdb").string()), "../data/a.vdb");
@@ -180,7 +212,8 @@ TEST(Files, SayWhatIsWrongWithTheirPath) {
   std::ofstream(root / "bad.json") << "{";
   const auto bad = loadGraph(root / "bad.json");
   ASSERT_FALSE(bad);
-  EXPECT_TRUE(bad.error().message.starts_with((root / "bad.json").string() + ": line 1, column 2")) << bad.error().message;
+  EXPECT_TRUE(bad.error().message.starts_with((root / "bad.json").string() + ": line 1, column 2"))
+      << bad.error().message;
   EXPECT_EQ(bad.error().code, Code::Input);
   EXPECT_FALSE(saveGraph(root / "no" / "folder" / "g.json", {}));
 }
@@ -202,15 +235,24 @@ TEST(Clipboard, PastesWithFreeNamesAndInnerLinks) {
 
 /// Cuts, copies, swaps and changes bytes; often where JSON is sensitive.
 std::string mutated(std::string text, std::mt19937& random) {
-  static const std::vector<std::string> kParts = {"\"",   "{",    "}",     "[",     "]",     ",",        ":",   "null", "-1", "1e308", "true",
-                                                  "1e-400", "\\u0000", " -> ", ".", "\"keys\"", "light.sun", "99999999999999999999"};
+  static const std::vector<std::string> kParts = {
+      "\"",    "{",    "}",      "[",       "]",    ",", ":",        "null",      "-1",
+      "1e308", "true", "1e-400", "\\u0000", " -> ", ".", "\"keys\"", "light.sun", "99999999999999999999"};
   for (std::size_t n = 1 + random() % 4; n > 0; --n) {
     const std::size_t at = random() % (text.size() + 1), length = random() % 40;
     switch (random() % 5) {
-      case 0: text.erase(at, length); break;
-      case 1: text.insert(at, text.substr(random() % (text.size() + 1), length)); break;
-      case 2: text.insert(at, kParts[random() % kParts.size()]); break;
-      case 3: if (at < text.size()) text[at] = static_cast<char>(random() % 256); break;
+      case 0:
+        text.erase(at, length);
+        break;
+      case 1:
+        text.insert(at, text.substr(random() % (text.size() + 1), length));
+        break;
+      case 2:
+        text.insert(at, kParts[random() % kParts.size()]);
+        break;
+      case 3:
+        if (at < text.size()) text[at] = static_cast<char>(random() % 256);
+        break;
       default: {
         const std::size_t number = text.find_first_of("0123456789", at);
         if (number != std::string::npos) text.replace(number, 1, kParts[random() % kParts.size()]);

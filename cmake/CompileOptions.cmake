@@ -2,6 +2,10 @@
 add_library(pileus_options INTERFACE)
 target_include_directories(pileus_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(pileus_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion)
+# g++ 12 reports std::variant and std::string moves that are fine (GCC bugs 105562, 105329).
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  target_compile_options(pileus_options INTERFACE -Wno-maybe-uninitialized -Wno-restrict)
+endif()
 target_compile_definitions(pileus_options INTERFACE GLM_ENABLE_EXPERIMENTAL GLM_FORCE_SILENT_WARNINGS)
 if(PILEUS_WERROR)
   target_compile_options(pileus_options INTERFACE -Werror)

@@ -1,0 +1,63 @@
+#include "editor/cli/bench.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "editor/cli/bench_tables.h"
+#include "renderer/gl/context.h"
+
+namespace pileus::cli {
+namespace {
+
+struct Table {
+  const char* name;
+  const char* title;
+  Result<void> (*run)(const BenchSetup&);
+};
+
+constexpr Table kTables[] = {
+    {"first-picture", "First lit picture after start (default preset)", benchFirstPicture},
+    {"figure2", "Figure 2 of the paper: one ray family through the real maps", benchFigure2},
+    {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},
+};
+
+}  // namespace
+
+int benchMain(const BenchOptions& options) {
+  if (options.only == kFirstPictureChild) return firstPictureChild();
+  BenchSetup setup;
+  setup.data = options.data;
+  if (const char* data = std::getenv("PILEUS_TEST_DATA"); setup.data.empty() && data) setup.data = data;
+  const auto context = gl::HeadlessContext::create();
+  if (!context) {
+    std::fprintf(stderr, "pileus: %s\n", context.error().message.c_str());
+    return static_cast<int>(context.error().code);
+  }
+  auto renderer = view::Renderer::create();
+  if (!renderer) {
+    std::fprintf(stderr, "pileus: %s\n", renderer.error().message.c_str());
+    return static_cast<int>(renderer.error().code);
+  }
+  setup.renderer = renderer->get();
+  std::printf("Device: %s, %s\n", setup.renderer->device().renderer.c_str(), setup.renderer->device().version.c_str());
+  int status = 0, ran = 0;
+  for (const Table& table : kTables) {
+    if (std::string_view(table.name).find(options.only) == std::string_view::npos) continue;
+    ++ran;
+    std::printf("\n## %s\n\n", table.title);
+    std::fflush(stdout);
+    if (const Result<void> r = table.run(setup); !r) {
+      std::printf("not measured: %s\n", r.error().message.c_str());
+      if (r.error().code != Code::Input) status = static_cast<int>(r.error().code);
+    }
+    std::fflush(stdout);
+  }
+  if (ran == 0) {
+    std::fprintf(stderr, "pileus: bench: no table is named '%s'\n", options.only.c_str());
+    return static_cast<int>(Code::Arguments);
+  }
+  return status;
+}
+
+}  // namespace pileus::cli

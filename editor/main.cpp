@@ -1,0 +1,15 @@
+// pileus: the editor, the command line, and the child process that reads VDB files.
+#include <string_view>
+
+#include "editor/app.h"
+#include "editor/cli/cli.h"
+#include "renderer/volume/vdb_child.h"
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "import") return pileus::volume::importChildMain(argc, argv);
+  return pileus::cli::run(argc, argv, [](const std::filesystem::path& file) {
+    pileus::editor::EditorOptions options;
+    options.file = file;
+    return pileus::editor::runEditor(options);
+  });
+}

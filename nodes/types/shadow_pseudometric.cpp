@@ -1,0 +1,59 @@
+// shadow.pseudometric: how far each light ray is through the media.
+#include "nodes/describe.h"
+#include "nodes/shadow_common.h"
+#include "renderer/shadow/pseudometric_map.h"
+#include "renderer/view/renderer.h"
+
+namespace pileus::nodes {
+namespace {
+
+struct In {
+  VolumeValue volumes;
+  LightValue light;
+  SolidValue solids;
+  shadow::Metric representation = shadow::Metric::Interval;
+  int intervals = 4;
+  int coefficients = 4;
+  int resolution = 1024;
+  shadow::Storage storage = shadow::Storage::Float;
+};
+
+struct Out {
+  MetricValue metric;
+};
+
+void describe(Describe<In, Out>& d) {
+  d.name("Pseudometric Map").category("Shadow").keywords("metric distance interval coverage gautron vaem");
+  d.help("Measures distance along each light ray only where media are, so that an extinction map spends its coefficients inside them "
+         "and every gap costs nothing (Gautron et al. 2011, pass 1).");
+  d.uses(UsesQuality);
+  d.in("volumes", &In::volumes).many().help("The media that cast shadows.");
+  d.in("light", &In::light).required().help("The light the map looks from.");
+  d.in("solids", &In::solids).many().help("Opaque solids that cut the light rays off.");
+  d.in("representation", &In::representation).help("How the coverage along a ray is stored.");
+  d.in("intervals", &In::intervals).range(1, 8).help("Interval only: merged [enter, exit] pairs kept per texel. Exact while a ray crosses no more media than this.");
+  d.in("coefficients", &In::coefficients).range(2, 16).help("Fourier and cosine only: series coefficients kept per texel. The paper uses 4.");
+  d.in("resolution", &In::resolution).unit("texels").range(64, 4096).logarithmic().help("Texels along each edge of the map.");
+  d.in("storage", &In::storage).help("Precision of the stored values.");
+  d.out("metric", &Out::metric).help("The map with its frustum, light and volumes: for Extinction Map.");
+}
+
+Result<Out> evaluate(const In& in, EvalContext& ctx) {
+  PILEUS_TRY(const scene::Light light, singleLight(in.light));
+  PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
+  auto& pass = ctx.state<std::unique_ptr<shadow::PseudometricPass>>();
+  if (!pass) {
+    shadow::MetricOptions options{in.representation, in.intervals, in.coefficients, draftResolution(in.resolution, ctx), in.storage};
+    pass = std::make_unique<shadow::PseudometricPass>(options, light, in.volumes.items, shadow::fitSun(light, in.volumes.items, options.resolution));
+  }
+  PILEUS_TRY(const double fraction, pass->step(renderer->gpu(), ctx.msLeft()));
+  ctx.reportGpu(pass->takeGpuMs(), pass->map()->block ? pass->map()->block->bytes() : 0);
+  if (fraction < 1) ctx.pending(fraction, "Measuring media");
+  return Out{{pass->map()}};
+}
+
+}  // namespace
+
+NodeType node_shadow_pseudometric() { return makeNode<In, Out>("shadow.pseudometric", 1, describe, evaluate); }
+
+}  // namespace pileus::nodes

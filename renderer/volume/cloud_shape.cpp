@@ -132,18 +132,19 @@ std::optional<vec2> openPlace(const std::vector<Cloud>& clouds, float radius, ve
 
 }  // namespace
 
-CloudShape shapeClouds(const CloudParams& params) {
+CloudShape shapeClouds(const CloudParams& params, JobControl& control) {
   const vec3 size(params.size);
   CloudShape shape;
   shape.scale = std::min(size.y, 0.75f * std::max(size.x, size.z));
   shape.base = 0.1f * shape.scale;
   const float shear = static_cast<float>(params.shear), billow = static_cast<float>(params.billow);
   const vec2 ground(size.x, size.z);
-  const float largest = std::min(0.62f * shape.scale, 0.45f * std::min(ground.x, ground.y));
+  // Not below 1/30 of the box, so that the number of clouds stays bounded in a very wide one.
+  const float largest = std::max(std::min(0.62f * shape.scale, 0.45f * std::min(ground.x, ground.y)), std::max(ground.x, ground.y) / 30.0f);
   Ground covered(ground, shape.base, shear, 0.5f * size.y);
   Random random(static_cast<std::uint32_t>(params.seed) * 2654435761u + 1u);
   std::vector<Cloud> clouds;
-  for (int k = 0; k < 3000 && covered.fraction() < params.coverage; ++k) {
+  for (int k = 0; k < 3000 && covered.fraction() < params.coverage && !control.cancelled(); ++k) {
     const float u = k == 0 ? 0.95f : random.next();
     const std::uint32_t seed = hash3(k, 1, 2, static_cast<std::uint32_t>(params.seed));
     const float aspect = random.between(0.7f, 1.2f), free = random.next();

@@ -29,6 +29,7 @@ struct CloudShape {
 
 /// Positions are relative to the box's lowest corner, before shear. Clouds are set one after another, far from those that stand, until
 /// the wanted fraction of the ground is covered: raising the coverage adds clouds and moves none.
-CloudShape shapeClouds(const CloudParams& params);
+/// Stops early, with what stands so far, when cancelled.
+CloudShape shapeClouds(const CloudParams& params, JobControl& control);
 
 }  // namespace pileus::volume

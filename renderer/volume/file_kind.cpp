@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <string_view>
@@ -59,6 +60,9 @@ std::optional<std::string> whyNotVdb(const fs::path& path) {
     if (head.starts_with(k.magic)) return fmt::format("is not a VDB file: it is {}", k.description);
   if (head.starts_with(" BDV\0\0\0\0"sv)) {
     if (head.size() < 21) return "is truncated: its header is cut off";
+    std::uint32_t version;
+    std::memcpy(&version, head.data() + 8, sizeof version);
+    if (version < 200 || version > 999) return fmt::format("is damaged: its header claims file format {}", version);
     return std::nullopt;
   }
   if (path.extension() == ".nvdb") return std::string("is not a VDB file: ") + std::string(kKinds[0].description);

@@ -35,8 +35,11 @@ class Field {
     octave(0.018f * s, 0.010f * s * d);
     warp_ = 0.035f * s;
     warpFrequency_ = 1.0f / (0.2f * s);
-    edge_ = std::max(0.014f * s, 1.1f * voxel);
-    reach_ += edge_;
+    // The fall-off at the surface is centred at one depth, however wide the voxels make it.
+    const float sharpest = 0.014f * s;
+    edge_ = std::max(sharpest, 1.5f * voxel);
+    outside_ = 0.5f * (edge_ - sharpest);
+    reach_ += outside_;
   }
 
   vec3 unsheared(vec3 p) const { return {p.x - shear_ * (p.y - middle_), p.y, p.z}; }
@@ -77,11 +80,11 @@ class Field {
       d += bulge * n;
       left -= o.largest;
     }
-    if (d >= 0) return 0;
+    if (d >= outside_) return 0;
     d = -smoothMin(-d, above + 0.008f * s * gradientNoise(straight * (2.0f * warpFrequency_), seed_ ^ 14u), 0.03f * s);  // cut at the condensation level
     d = std::max(d, boxDistance(p));
-    if (d >= 0) return 0;
-    const float shell = smoothstep01(-d / edge_);
+    if (d >= outside_) return 0;
+    const float shell = smoothstep01((outside_ - d) / edge_);
     const float core = 0.6f + 0.4f * smoothstep01(-d / (kCoreDepth * s));
     const float water = 0.65f + 0.35f * std::min(1.0f, std::max(0.0f, above) / (0.5f * s));  // liquid water grows with height
     return density_ * shell * core * water;
@@ -105,7 +108,7 @@ class Field {
   std::uint32_t seed_;
   float density_, shear_, middle_;
   std::vector<Octave> octaves_;
-  float reach_ = 0, warp_ = 0, warpFrequency_ = 1, edge_ = 1;
+  float reach_ = 0, warp_ = 0, warpFrequency_ = 1, edge_ = 1, outside_ = 0;
 };
 
 Result<void> check(const CloudParams& p) {
@@ -117,7 +120,7 @@ Result<void> check(const CloudParams& p) {
   if (!in(p.density, 0, 1e6)) return outside("density", p.density, 0, 1e6);
   if (!in(p.detail, 0, 1)) return outside("detail", p.detail, 0, 1);
   if (!in(p.billow, 0, 1)) return outside("billow", p.billow, 0, 1);
-  if (!in(p.shear, -4, 4)) return outside("shear", p.shear, -4, 4);
+  if (!in(p.shear, -10, 10)) return outside("shear", p.shear, -10, 10);
   if (!in(p.resolution, 16, 1024)) return outside("resolution", p.resolution, 16, 1024);
   for (int a = 0; a < 3; ++a) {
     if (!in(p.size[a], 1e-3, 1e7)) return outside("size", p.size[a], 1e-3, 1e7);
@@ -157,8 +160,10 @@ void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& sh
   block(brick * kBrickSize, kBrickSize);
   for (const Clump& clump : shape.clumps) {
     if (!touches(clump.center, clump.bound)) continue;
-    for (std::size_t i = clump.begin; i < clump.end; ++i)
-      if (touches(shape.balls[i].center, shape.balls[i].radius + shape.balls[i].blend)) near.push_back(shape.balls[i]);
+    for (std::size_t i = clump.begin; i < clump.end; ++i) {
+      const Ball& b = shape.balls[i];
+      if (b.radius > 0.3f * voxel && touches(b.center, b.radius + b.blend)) near.push_back(b);  // smaller ones do not show
+    }
   }
   if (near.empty()) return;
   std::stable_sort(near.begin(), near.end(), [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
@@ -233,7 +238,8 @@ Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control) {
   source.worldFromIndex = glm::scale(glm::translate(dmat4(1.0), lowest + 0.5 * voxel), dvec3(voxel));
   if (params.coverage == 0 || params.density == 0) return emptyGrid(source.name, source.worldFromIndex);
 
-  const CloudShape shape = shapeClouds(params);
+  const CloudShape shape = shapeClouds(params, control);
+  if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
   const Field field(params, shape, static_cast<float>(voxel));
   Bake bake;
   bake.voxels = glm::max(ivec3(params.size / voxel + 0.5), ivec3(1));

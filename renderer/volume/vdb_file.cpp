@@ -1,12 +1,14 @@
 #include "renderer/volume/vdb_file.h"
 
-#include <openvdb/openvdb.h>
 #include <openvdb/io/File.h>
+#include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
 #include <openvdb/points/PointDataGrid.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #include "renderer/volume/brick_builder.h"
@@ -211,6 +213,41 @@ std::string undrawable(const openvdb::GridBase& g) {
   return {};
 }
 
+/// OpenVDB does not notice a file that ends too early: it goes on with zeros. This reads the header strictly and compares where the
+/// grids should end with where the file does.
+class Extent : private openvdb::io::Archive {
+ public:
+  /// Empty: the file is as long as it says.
+  std::string whatIsMissing(const std::filesystem::path& path) {
+    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    std::ifstream is(path, std::ios::binary);
+    try {
+      is.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+      readHeader(is);
+      setFormatVersion(is);
+      setLibraryVersion(is);
+      openvdb::MetaMap metadata;
+      metadata.readMeta(is);
+      if (!inputHasGridOffsets()) {  // written to a stream: only reading it through tells
+        is.seekg(0);
+        openvdb::io::Stream whole(is, false);
+        return {};
+      }
+      for (auto n = readGridCount(is); n > 0; --n) {
+        openvdb::io::GridDescriptor grid;
+        grid.read(is);
+        if (grid.getGridPos() < 0 || grid.getEndPos() < grid.getGridPos()) return "is damaged: a grid's position in the file is absurd";
+        if (grid.getEndPos() > size)
+          return fmt::format("is truncated: grid '{}' ends at byte {}, but the file has {}", clean(grid.gridName()), grid.getEndPos(), size);
+        grid.seekToEnd(is);
+      }
+    } catch (const std::ios_base::failure&) {
+      return fmt::format("is truncated: it ends after {} bytes, within the description of its grids", size);
+    }
+    return {};
+  }
+};
+
 }  // namespace
 
 struct VdbFile::Impl {
@@ -318,6 +355,7 @@ Result<std::unique_ptr<VdbFile>> VdbFile::open(const std::filesystem::path& path
   std::unique_ptr<VdbFile> out(new VdbFile);
   out->impl_->file = std::make_unique<openvdb::io::File>(path.string());
   try {
+    if (const std::string missing = Extent().whatIsMissing(path); !missing.empty()) return Error{Code::Input, missing};
     out->impl_->file->open(false);  // no delayed loading
     out->impl_->list();
   } catch (const openvdb::Exception& e) {

@@ -1,0 +1,128 @@
+#include "editor/app.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "editor/actions.h"
+#include "editor/editor.h"
+#include "editor/files.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/viewport_camera.h"
+#include "renderer/base/file.h"
+#include "renderer/base/jobs.h"
+
+namespace pileus::editor {
+namespace {
+
+/// Keys go to the panel under the pointer, unless a dialog or a text field has them.
+void handleKeys(Editor& editor) {
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening) return;
+  for (const KeyPress& key : editor.window->keys()) {
+    // Esc ends what is going on before it pauses anything.
+    if (editor.canvas.interaction.busy() || editor.parameters.numbers.typing) continue;
+    runShortcut(editor, key);
+  }
+}
+
+PreviewRequest previewRequest(const Editor& editor) {
+  PreviewRequest request;
+  request.graph = editor.document.graph();
+  request.revision = editor.document.revision();
+  request.view = shownView(editor);
+  request.size = editor.viewport.renderSize;
+  if (linkedCamera(editor, request.view).empty()) request.freeCamera = editor.viewport.freeCamera;
+  request.folder = editor.document.path().parent_path();
+  return request;
+}
+
+void evaluate(Editor& editor) {
+  // Input comes first: while events wait, the picture does.
+  if (editor.window->inputPending()) return;
+  editor.preview.step(previewRequest(editor));
+  if (auto outcome = editor.exporter.step()) {
+    if (*outcome) editor.messages.info("Exported " + outcome->value().string());
+    else editor.messages.error("Not exported: " + outcome->error().message);
+  }
+}
+
+void drawFrame(Editor& editor) {
+  editor.trace.begin();
+  handleKeys(editor);
+  drawPanels(editor);
+  editor.browser.draw(editor);
+  drawDialogs(editor);
+}
+
+void handleWindow(Editor& editor) {
+  if (editor.window->closeRequested()) {
+    editor.window->cancelClose();
+    if (!editor.dialogs.afterUnsaved) withSavedDocument(editor, [](Editor& e) { e.quit = true; });
+  }
+  for (const std::filesystem::path& path : editor.window->takeDroppedFiles()) {
+    if (path.extension() == ".json") withSavedDocument(editor, [path](Editor& e) { openFile(e, path); });
+    else editor.messages.hint("Only graphs (.json) can be dropped here.");
+  }
+  editor.window->setTitle(std::string(editor.document.dirty() ? "\xe2\x80\xa2 " : "") + documentName(editor) + " \xe2\x80\x93 Pileus");
+}
+
+/// Seconds until the next frame is due when nothing happens; 0 = at once.
+double idleSeconds(const Editor& editor, int settling) {
+  if (settling > 0 || editor.window->inputPending()) return 0;
+  if (editor.preview.wantsFrame() || editor.exporter.wantsFrame()) return 0;
+  if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
+  if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
+  if (editor.viewport.wheelEdit) return 0.25;
+  if (editor.messages.visible()) return std::clamp(editor.messages.msLeft() / 1000, 0.05, 30.0);
+  return 60;
+}
+
+void loop(Editor& editor) {
+  int settling = 3;  // frames after the last event: hover states and tooltips need a second look
+  while (!editor.quit) {
+    editor.window->waitEvents(idleSeconds(editor, settling));
+    const Stopwatch clock;
+    editor.window->beginFrame();
+    settling = editor.window->hadInput() ? 3 : std::max(0, settling - 1);
+    drawFrame(editor);
+    evaluate(editor);
+    handleWindow(editor);
+    editor.window->endFrame(palette::kBackground);
+    editor.trace.end(editor);
+    editor.frameMs = clock.ms();
+  }
+}
+
+}  // namespace
+
+int runEditor(const EditorOptions& options) {
+  const std::filesystem::path folder = configFolder();
+  const Settings settings = loadSettings(folder);
+  Result<std::unique_ptr<Window>> window = Window::create("Pileus", settings.window);
+  if (!window) {
+    log::error("{}", window.error().message);
+    return static_cast<int>(Code::Gpu);
+  }
+  Result<std::unique_ptr<view::Renderer>> renderer = view::Renderer::create();
+  if (!renderer) {
+    log::error("{}", renderer.error().message);
+    return static_cast<int>(Code::Gpu);
+  }
+  Theme theme = makeTheme((*window)->uiScale());
+  (*window)->startUi();
+  setJobNotifier([] { Window::wake(); });
+  {
+    Editor editor(**window, std::move(*renderer), std::move(theme));
+    editor.settings = settings;
+    if (options.file.empty()) openPreset(editor, "default.json");
+    else openFile(editor, options.file);
+    loop(editor);
+    editor.settings.window = (*window)->size();
+    if (const Result<void> saved = saveSettings(folder, editor.settings); !saved) log::warn("{}", saved.error().message);
+    setJobNotifier(nullptr);
+  }
+  return 0;
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,54 @@
+#pragma once
+// The state of one editor window: the parts, each of which lives in its own file. Drawing and commands are free functions over it.
+#include <memory>
+#include <string>
+
+#include "editor/dialogs.h"
+#include "editor/exporter.h"
+#include "editor/file_browser.h"
+#include "editor/graph_view/canvas.h"
+#include "editor/messages.h"
+#include "editor/panels/parameters.h"
+#include "editor/panels/viewport.h"
+#include "editor/preview.h"
+#include "editor/settings.h"
+#include "editor/theme.h"
+#include "editor/ui_trace.h"
+#include "editor/window.h"
+#include "nodes/document.h"
+#include "renderer/view/renderer.h"
+
+namespace pileus::editor {
+
+/// Panels that have keys of their own; Global ones work everywhere.
+enum class Panel { Global, Viewport, Graph, Parameters, Log };
+
+struct Editor {
+  Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)
+      : window(&theWindow), renderer(std::move(theRenderer)), theme(std::move(theTheme)), preview(renderer.get()), exporter(renderer.get()), viewport(*renderer) {}
+
+  Window* window;
+  std::unique_ptr<view::Renderer> renderer;   // before everything that holds GPU objects
+  Theme theme;
+  Settings settings;
+  nodes::Document document;
+  Preview preview;
+  Exporter exporter;
+  Viewport viewport;
+  Canvas canvas;
+  Parameters parameters;
+  FileBrowser browser;
+  Dialogs dialogs;
+  Messages messages;
+  UiTrace trace;
+  Panel hovered = Panel::Global;              ///< under the pointer: whose keys act
+  double frameMs = 0;                         ///< of the last frame drawn, evaluation included
+  bool quit = false;
+};
+
+/// An edit that may be refused: shows the reason in the status line, returns whether it was made.
+bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label, std::string_view mergeKey = {});
+/// A different document was put in place: forgets what belonged to the old one.
+void documentReplaced(Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,27 @@
+#pragma once
+// Opening, saving and exporting documents, with the questions that go with them. Each may return before it is done (a dialog is open).
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace pileus::editor {
+
+struct Editor;
+
+/// Runs `then` at once, or after the user chose to save or discard unsaved changes.
+void withSavedDocument(Editor& editor, std::function<void(Editor&)> then);
+
+void newDocument(Editor& editor);
+void askOpen(Editor& editor);
+/// Loads at once; what the file's faults are is shown, and a file that cannot be read leaves the document as it is. False: not loaded.
+bool openFile(Editor& editor, const std::filesystem::path& path);
+/// A preset that is part of the program ("default.json"): opens as an unnamed document.
+bool openPreset(Editor& editor, const std::string& name);
+/// To its file, or asks for one. `then` runs after a successful save.
+void save(Editor& editor, std::function<void(Editor&)> then = {});
+void saveAs(Editor& editor, std::function<void(Editor&)> then = {});
+void askExport(Editor& editor);
+/// Name for titles: "harbour.json" or "Untitled".
+std::string documentName(const Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,45 @@
+#pragma once
+// The search that adds nodes: fuzzy, recent types first; after a link was dropped on empty canvas it lists only what fits, socket by socket.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/graph_view/interaction.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+/// The end of a dragged link that a new node must fit.
+struct LinkFilter {
+  bool fromOutput = true;
+  nodes::SocketType type = nodes::SocketType::Volume;
+};
+
+struct SearchItem {
+  const nodes::NodeType* type = nullptr;
+  std::string socket;      ///< which socket to link; "" without a filter
+  std::string label;       ///< "Extinction Map", or "Extinction Map: Light" where several sockets fit
+};
+
+/// Every node type (and socket) that fits, in menu order.
+std::vector<SearchItem> searchItems(const std::optional<LinkFilter>& filter);
+/// Indices into `items`, best first: by score, with an empty query recent types (newest first) before the others.
+std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_view query, const std::vector<std::string>& recent);
+
+struct NodeSearch {
+  bool opening = false, open = false;
+  vec2 at{0};                         ///< screen position of the popup
+  vec2 place{0};                      ///< canvas position of the new node, or of its linked socket
+  std::optional<LinkDrag> link;
+  std::string query;
+  int chosen = 0;
+  bool scrollToChosen = false;
+  std::vector<SearchItem> items;
+};
+
+void openSearch(Editor& editor, vec2 screen, vec2 place, std::optional<LinkDrag> link = {});
+/// Once a frame, after the canvas.
+void drawSearch(Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,11 @@
+#pragma once
+// The status line: the last message, what the picture is, and where the time went.
+#include <imgui.h>
+
+namespace pileus::editor {
+
+struct Editor;
+
+void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max);
+
+}  // namespace pileus::editor

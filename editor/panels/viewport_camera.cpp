@@ -1,0 +1,150 @@
+#include "editor/panels/viewport_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <set>
+
+#include "editor/editor.h"
+
+namespace pileus::editor {
+namespace {
+
+constexpr std::string_view kViewType = "output.view";
+
+const nodes::Node* shownNode(const Editor& editor) { return nodes::findNode(editor.document.graph(), shownView(editor)); }
+
+const nodes::SocketSpec* socketOfType(const nodes::NodeType& type, nodes::SocketType wanted) {
+  for (const nodes::SocketSpec& s : type.inputs)
+    if (s.type == wanted) return &s;
+  return nullptr;
+}
+
+Box3 volumeBounds(const Editor& editor, const std::string& user) {
+  Box3 box;
+  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Node* node = nodes::findNode(graph, user);
+  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
+  const nodes::SocketSpec* volumes = type ? socketOfType(*type, nodes::SocketType::Volume) : nullptr;
+  if (!volumes) return box;
+  for (const nodes::Link& link : graph.links) {
+    if (link.toNode != user || link.toSocket != volumes->id || link.muted) continue;
+    const nodes::SocketValue* value = editor.preview.evaluator().output(link.fromNode, link.fromSocket);
+    if (const auto* v = value ? std::get_if<nodes::VolumeValue>(value) : nullptr) box.extend(volume::worldBounds(v->items));
+  }
+  return box;
+}
+
+double aspect(const Editor& editor) {
+  const ivec2 size = editor.document.graph().settings.size;
+  return size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
+}
+
+void setExposure(Editor& editor, double stops) {
+  const std::string view = shownView(editor);
+  if (!view.empty()) tryEdit(editor, nodes::setParam(editor.document.graph(), view, "exposure", stops), "Exposure", "exposure keys");
+}
+
+double exposure(const Editor& editor) {
+  const nodes::Node* node = shownNode(editor);
+  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
+  const nodes::ParamSpec* spec = type ? type->param("exposure") : nullptr;
+  const nodes::ParamValue value = spec ? nodes::paramValue(*node, *spec) : nodes::ParamValue(0.0);
+  return std::get_if<double>(&value) ? std::get<double>(value) : 0.0;
+}
+
+}  // namespace
+
+std::string shownView(const Editor& editor) {
+  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Node* chosen = nodes::findNode(graph, editor.viewport.activeView);
+  if (chosen && nodes::findNodeType(chosen->type) && nodes::findNodeType(chosen->type)->isOutput) return editor.viewport.activeView;
+  for (const auto& [name, node] : graph.nodes)
+    if (node->type == kViewType) return name;
+  return {};
+}
+
+std::string cameraUser(const Editor& editor, const std::string& view) {
+  const nodes::Graph& graph = editor.document.graph();
+  std::deque<std::string> queue{view};
+  std::set<std::string> seen;
+  while (!queue.empty()) {
+    const std::string name = queue.front();
+    queue.pop_front();
+    if (name.empty() || !seen.insert(name).second) continue;
+    const nodes::Node* node = nodes::findNode(graph, name);
+    const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
+    if (type && socketOfType(*type, nodes::SocketType::Camera)) return name;
+    for (const nodes::Link& link : graph.links)
+      if (link.toNode == name && !link.muted) queue.push_back(link.fromNode);
+  }
+  return {};
+}
+
+std::string linkedCamera(const Editor& editor, const std::string& view) {
+  const std::string user = cameraUser(editor, view);
+  const nodes::Graph& graph = editor.document.graph();
+  for (const nodes::Link& link : graph.links) {
+    if (link.toNode != user || link.muted) continue;
+    const nodes::Node* source = nodes::findNode(graph, link.fromNode);
+    const nodes::NodeType* type = source ? nodes::findNodeType(source->type) : nullptr;
+    const int output = type ? type->outputIndex(link.fromSocket) : -1;
+    if (output >= 0 && type->outputs[static_cast<std::size_t>(output)].type == nodes::SocketType::Camera && type->param("eye") && type->param("target"))
+      return link.fromNode;
+  }
+  return {};
+}
+
+scene::Camera currentCamera(const Editor& editor) {
+  const std::string view = shownView(editor), name = linkedCamera(editor, view);
+  if (name.empty()) {
+    if (editor.viewport.freeCamera) return *editor.viewport.freeCamera;
+    return scene::frameBounds(volumeBounds(editor, cameraUser(editor, view)), aspect(editor));
+  }
+  const nodes::Node& node = *nodes::findNode(editor.document.graph(), name);
+  const nodes::NodeType& type = *nodes::findNodeType(node.type);
+  scene::Camera camera;
+  const auto vector = [&](const char* id, dvec3& out) {
+    if (const nodes::ParamSpec* spec = type.param(id)) {
+      const nodes::ParamValue value = nodes::paramValue(node, *spec);
+      if (const dvec3* v = std::get_if<dvec3>(&value)) out = *v;
+    }
+  };
+  vector("eye", camera.eye);
+  vector("target", camera.target);
+  vector("up", camera.up);
+  if (const nodes::ParamSpec* spec = type.param("fov")) {
+    const nodes::ParamValue value = nodes::paramValue(node, *spec);
+    if (const double* v = std::get_if<double>(&value)) camera.fov = *v;
+  }
+  return camera;
+}
+
+void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label, const std::string& mergeKey) {
+  const std::string name = linkedCamera(editor, shownView(editor));
+  editor.preview.touch();
+  if (name.empty()) {
+    editor.viewport.freeCamera = camera;
+    return;
+  }
+  // Six significant digits are far below a pixel and keep files readable.
+  const auto tidy = [&](dvec3 v) {
+    const double step = std::pow(10.0, std::floor(std::log10(std::max(glm::length(camera.eye - camera.target), 1e-6))) - 5);
+    return glm::round(v / step) * step;
+  };
+  Result<nodes::Graph> graph = nodes::setParam(editor.document.graph(), name, "eye", tidy(camera.eye));
+  if (graph) graph = nodes::setParam(*graph, name, "target", tidy(camera.target));
+  tryEdit(editor, std::move(graph), label, mergeKey);
+}
+
+void frameVolumes(Editor& editor) {
+  const std::string user = cameraUser(editor, shownView(editor));
+  const Box3 box = volumeBounds(editor, user);
+  if (box.empty()) return editor.messages.hint("There is no volume to frame yet.");
+  setCamera(editor, scene::frameBounds(box, aspect(editor), currentCamera(editor)), "Frame volumes", {});
+}
+
+void changeExposure(Editor& editor, double stops) { setExposure(editor, exposure(editor) + stops); }
+void resetExposure(Editor& editor) { setExposure(editor, 0); }
+
+}  // namespace pileus::editor

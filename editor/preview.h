@@ -1,0 +1,69 @@
+#pragma once
+// Keeps the viewport's picture up to date: drafts while something is dragged, then the final picture within a time budget per frame.
+// The last good picture stays until the new one has something to show. GL thread.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nodes/evaluator.h"
+#include "nodes/value.h"
+#include "renderer/base/profile.h"
+
+namespace pileus::editor {
+
+/// What the viewport wants to see.
+struct PreviewRequest {
+  nodes::Graph graph;
+  std::uint64_t revision = 0;             ///< of the document: equal revisions are equal graphs
+  std::string view;                       ///< the output node to evaluate; "" = none
+  ivec2 size{0};
+  std::optional<scene::Camera> freeCamera;
+  std::filesystem::path folder;
+};
+
+class Preview {
+ public:
+  explicit Preview(view::Renderer* renderer) : evaluator_(renderer) {}
+
+  /// Something is being dragged: drafts until it has rested for a moment.
+  void touch() { rest_.restart(), touched_ = true; }
+  /// One frame's work. Cheap when nothing is to be done.
+  void step(const PreviewRequest& wanted);
+  void pause(bool on) { paused_ = on; }
+
+  bool paused() const { return paused_; }
+  bool complete() const { return complete_; }
+  bool draft() const { return draftShown_; }                 ///< the picture shown is a draft
+  bool wantsFrame() const;                                   ///< call step() again at once
+  bool waiting() const { return !complete_ && report_.waitingForJobs; }  ///< for a background job: a wake-up will come
+  double fraction() const { return report_.fraction; }
+  /// "Baking cloud": what a pending node says; "" = nothing pends.
+  std::string waitingFor() const;
+  /// Why there is no new picture; "" = nothing failed. The node is the one that caused it.
+  const std::string& error() const { return error_; }
+  double lastStepMs() const { return lastStepMs_; }
+
+  /// The last good picture; null until there is one.
+  const std::shared_ptr<const view::Picture>& picture() const { return picture_; }
+  nodes::Evaluator& evaluator() { return evaluator_; }
+  const nodes::Evaluator& evaluator() const { return evaluator_; }
+  void forgetPicture() { picture_.reset(); }
+
+ private:
+  bool interacting() const { return touched_ && rest_.ms() < 150; }
+  void takePicture(bool draft);
+
+  nodes::Evaluator evaluator_;
+  PreviewRequest current_;
+  nodes::EvalReport report_;
+  std::shared_ptr<const view::Picture> picture_;
+  std::string error_;
+  Stopwatch rest_, draftAge_;
+  bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;
+  bool currentIsDraft_ = false, fresh_ = true;
+  bool fast_ = false;                     ///< the last final picture took less than one budget: no drafts are needed
+  double lastStepMs_ = 0;
+};
+
+}  // namespace pileus::editor

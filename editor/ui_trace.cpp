@@ -1,0 +1,39 @@
+#include "editor/ui_trace.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "editor/editor.h"
+#include "nodes/serialize.h"
+#include "renderer/base/file.h"
+
+namespace pileus::editor {
+
+UiTrace::UiTrace() {
+  if (const char* path = std::getenv("PILEUS_UI_TRACE")) path_ = path;
+}
+
+void UiTrace::end(const Editor& editor) {
+  if (!on()) return;
+  using nlohmann::json;
+  json j;
+  j["rects"] = rects_;
+  j["notes"] = notes_;
+  const nodes::Document& document = editor.document;
+  // The document in its own file format: what a save would write.
+  j["document"] = json::parse(nodes::graphText(document.graph()), nullptr, false);
+  j["selection"] = document.selection();
+  j["dirty"] = document.dirty();
+  j["path"] = document.path().string();
+  j["undo"] = document.undoLabel();
+  j["redo"] = document.redoLabel();
+  j["complete"] = editor.preview.complete() && !editor.preview.draft();
+  j["error"] = editor.preview.error();
+  j["exporting"] = editor.exporter.active();
+  j["message"] = editor.messages.text();
+  std::string text = j.dump(1, ' ', false, json::error_handler_t::replace);
+  if (text == last_) return;
+  if (writeFileAtomic(path_, text)) last_ = std::move(text);
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,43 @@
+#pragma once
+// For tests that drive the window: when $PILEUS_UI_TRACE names a file, every drawn frame that looks different leaves there, as JSON, where
+// things are (window pixels) and what the document holds. Off, everything here is a test of one bool.
+#include <imgui.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pileus::editor {
+
+struct Editor;
+
+class UiTrace {
+ public:
+  /// Reads the environment.
+  UiTrace();
+  bool on() const { return !path_.empty(); }
+  void begin() { rects_.clear(), notes_.clear(); }
+  /// "node/Sun", "socket/Sun/out/light", "param/extinction", "menu/file.save", "search/0": a name's rectangle this frame.
+  void rect(std::string name, ImVec2 min, ImVec2 max) {
+    if (on()) rects_[std::move(name)] = {min.x, min.y, max.x, max.y};
+  }
+  /// The last ImGui item.
+  void item(std::string name) {
+    if (on()) rect(std::move(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  }
+  /// A text that is on the screen ("tooltip", "status", "search/0").
+  void note(std::string name, std::string text) {
+    if (on()) notes_[std::move(name)] = std::move(text);
+  }
+  /// Writes the file if anything differs from the last one.
+  void end(const Editor& editor);
+
+ private:
+  std::filesystem::path path_;
+  std::map<std::string, std::vector<float>> rects_;
+  std::map<std::string, std::string> notes_;
+  std::string last_;
+};
+
+}  // namespace pileus::editor

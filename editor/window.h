@@ -1,0 +1,78 @@
+#pragma once
+// The window: GLFW, its OpenGL 4.5 core context and ImGui's backends. Input events are queued and handed to ImGui in order, at most one
+// click or key per frame, so that nothing is lost or reordered when frames are slow. UI thread only (but wake()).
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/base/math.h"
+#include "renderer/base/result.h"
+
+struct GLFWwindow;
+
+namespace pileus::editor {
+
+/// A key going down (or repeating) this frame. `key` is GLFW's code, letters by the keyboard's layout.
+struct KeyPress {
+  int key = 0;
+  bool ctrl = false, shift = false, alt = false, repeat = false;
+};
+
+struct InputEvent {
+  enum class Kind { Move, Button, Wheel, Key, Char, Focus } kind = Kind::Move;
+  dvec2 at{0};           ///< Move: window pixels; Wheel: offsets
+  int code = 0;          ///< button, key or code point
+  bool down = false, repeat = false;
+  int mods = 0;
+};
+
+class Window {
+ public:
+  /// Error (Gpu) when no OpenGL 4.5 core window can be made; says what failed. Makes the context current and creates ImGui's.
+  static Result<std::unique_ptr<Window>> create(const std::string& title, ivec2 size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  float uiScale() const { return scale_; }      ///< $PILEUS_UI_SCALE, else the monitor's
+  void startUi();                               ///< after fonts are chosen: creates the GL objects of the interface
+
+  /// Sleeps until there is an event or `seconds` have passed; 0 polls.
+  void waitEvents(double seconds);
+  /// Wakes waitEvents from any thread.
+  static void wake();
+  bool inputPending() const { return !queue_.empty(); }  ///< more events wait for the next frame
+  bool hadInput() const { return hadInput_; }            ///< this frame got events
+
+  void beginFrame();                            ///< feeds events, starts the ImGui frame
+  void endFrame(unsigned clearColor);           ///< draws it and swaps
+  std::span<const KeyPress> keys() const { return keys_; }
+  std::vector<std::filesystem::path> takeDroppedFiles() { return std::exchange(dropped_, {}); }
+
+  bool closeRequested() const;
+  void cancelClose();
+  void setTitle(const std::string& title);
+  ivec2 size() const;
+
+ private:
+  Window() = default;
+  void installCallbacks();
+  bool feed(const InputEvent& event);           ///< false: belongs to the next frame
+  GLFWwindow* window_ = nullptr;
+  float scale_ = 1;
+  bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false;
+  bool resized_ = true;
+  dvec2 mouse_{-1e9};
+  bool buttons_[5] = {};
+  std::deque<InputEvent> queue_;
+  std::vector<KeyPress> keys_;
+  std::vector<int> keysDownNow_;
+  std::vector<std::filesystem::path> dropped_;
+  std::string title_;
+};
+
+}  // namespace pileus::editor

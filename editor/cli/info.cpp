@@ -24,16 +24,21 @@ struct Fit {
 std::string jsonString(std::string_view text) {
   std::string out(1, '"');
   for (char c : text) {
-    if (c == '"' || c == '\\') out += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 32) out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else out += c;
+    if (c == '"' || c == '\\')
+      out += {'\\', c};
+    else if (static_cast<unsigned char>(c) < 32)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
   }
   out += '"';
   return out;
 }
 
 std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : "null"; }
-std::string triple(const dvec3& v) { return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z)); }
+std::string triple(const dvec3& v) {
+  return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
+}
 std::string triple(const ivec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -44,23 +49,27 @@ std::string bytesText(std::uint64_t bytes) {
 
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), 1, ',');
+  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), 1, ',');
   return digits;
 }
 
 void printText(const std::filesystem::path& file, const VdbInfo& info, const Fit* fit) {
-  fmt::print("{}: VDB written by library/format {}, {} grid{}\n", file.string(), info.version, info.grids.size(), info.grids.size() == 1 ? "" : "s");
+  fmt::print("{}: VDB written by library/format {}, {} grid{}\n", file.string(), info.version,
+             info.grids.size(), info.grids.size() == 1 ? "" : "s");
   for (const auto& [key, value] : info.metadata) fmt::print("  {}: {}\n", key, value);
   for (const GridInfo& g : info.grids) {
     fmt::print("\n{}\n", g.name);
     fmt::print("  class      {}\n  type       {}\n", g.gridClass, g.valueType);
-    fmt::print("  transform  {}, voxel {:.6g} x {:.6g} x {:.6g} m\n", g.transform, g.voxelSize.x, g.voxelSize.y, g.voxelSize.z);
+    fmt::print("  transform  {}, voxel {:.6g} x {:.6g} x {:.6g} m\n", g.transform, g.voxelSize.x,
+               g.voxelSize.y, g.voxelSize.z);
     if (g.hasBounds) {
-      fmt::print("  voxels     {} active, index [{}, {}, {}] to [{}, {}, {}]\n", grouped(g.activeVoxels), g.indexMin.x, g.indexMin.y, g.indexMin.z,
-                 g.indexMax.x, g.indexMax.y, g.indexMax.z);
+      fmt::print("  voxels     {} active, index [{}, {}, {}] to [{}, {}, {}]\n", grouped(g.activeVoxels),
+                 g.indexMin.x, g.indexMin.y, g.indexMin.z, g.indexMax.x, g.indexMax.y, g.indexMax.z);
       if (!g.worldBounds.empty())
-        fmt::print("  world      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m\n", g.worldBounds.min.x, g.worldBounds.min.y,
-                   g.worldBounds.min.z, g.worldBounds.max.x, g.worldBounds.max.y, g.worldBounds.max.z);
+        fmt::print("  world      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m\n",
+                   g.worldBounds.min.x, g.worldBounds.min.y, g.worldBounds.min.z, g.worldBounds.max.x,
+                   g.worldBounds.max.y, g.worldBounds.max.z);
     } else {
       fmt::print("  voxels     none active\n");
     }
@@ -72,37 +81,49 @@ void printText(const std::filesystem::path& file, const VdbInfo& info, const Fit
     fmt::print("  drawable   {}\n", g.drawable ? "yes" : fmt::format("no: {}", g.reason));
   }
   if (fit)
-    fmt::print("\nautofit: grid {}, extinction {:.4g} per metre and unit density (optical depth {:.3g} through the middle); {} bricks, {}\n", fit->grid,
-               fit->fit.extinction, fit->fit.opticalDepth, grouped(fit->bricks), bytesText(fit->bytes));
+    fmt::print(
+        "\nautofit: grid {}, extinction {:.4g} per metre and unit density (optical depth {:.3g} through the "
+        "middle); {} bricks, {}\n",
+        fit->grid, fit->fit.extinction, fit->fit.opticalDepth, grouped(fit->bricks), bytesText(fit->bytes));
   else
     fmt::print("\nautofit: nothing in this file can be drawn\n");
 }
 
 void printJson(const std::filesystem::path& file, const VdbInfo& info, const Fit* fit) {
-  std::string out = fmt::format("{{\n  \"file\": {},\n  \"version\": {},\n  \"metadata\": {{", jsonString(file.string()), jsonString(info.version));
+  std::string out = fmt::format("{{\n  \"file\": {},\n  \"version\": {},\n  \"metadata\": {{",
+                                jsonString(file.string()), jsonString(info.version));
   for (std::size_t i = 0; i < info.metadata.size(); ++i)
-    out += fmt::format("{}{}: {}", i ? ", " : "", jsonString(info.metadata[i].first), jsonString(info.metadata[i].second));
+    out += fmt::format("{}{}: {}", i ? ", " : "", jsonString(info.metadata[i].first),
+                       jsonString(info.metadata[i].second));
   out += "},\n  \"grids\": [";
   for (std::size_t i = 0; i < info.grids.size(); ++i) {
     const GridInfo& g = info.grids[i];
-    out += fmt::format("{}\n    {{\"name\": {}, \"class\": {}, \"type\": {}, \"transform\": {}, \"creator\": {},\n", i ? "," : "", jsonString(g.name),
-                       jsonString(g.gridClass), jsonString(g.valueType), jsonString(g.transform), jsonString(g.creator));
+    out += fmt::format(
+        "{}\n    {{\"name\": {}, \"class\": {}, \"type\": {}, \"transform\": {}, \"creator\": {},\n",
+        i ? "," : "", jsonString(g.name), jsonString(g.gridClass), jsonString(g.valueType),
+        jsonString(g.transform), jsonString(g.creator));
     out += "     \"worldFromIndex\": [";
     for (int r = 0; r < 4; ++r)
-      for (int c = 0; c < 4; ++c) out += fmt::format("{}{}", r + c ? ", " : "", number(g.worldFromIndex[c][r]));
-    out += fmt::format("],\n     \"voxelSize\": {}, \"activeVoxels\": {}, \"memoryBytes\": {}, \"nonFinite\": {},\n", triple(g.voxelSize), g.activeVoxels,
-                       g.memoryBytes, g.nonFinite);
+      for (int c = 0; c < 4; ++c)
+        out += fmt::format("{}{}", r + c ? ", " : "", number(g.worldFromIndex[c][r]));
+    out += fmt::format(
+        "],\n     \"voxelSize\": {}, \"activeVoxels\": {}, \"memoryBytes\": {}, \"nonFinite\": {},\n",
+        triple(g.voxelSize), g.activeVoxels, g.memoryBytes, g.nonFinite);
     if (g.hasBounds)
-      out += fmt::format("     \"indexBounds\": [{}, {}], \"worldBounds\": [{}, {}],\n", triple(g.indexMin), triple(g.indexMax),
-                         triple(g.worldBounds.min), triple(g.worldBounds.max));
+      out += fmt::format("     \"indexBounds\": [{}, {}], \"worldBounds\": [{}, {}],\n", triple(g.indexMin),
+                         triple(g.indexMax), triple(g.worldBounds.min), triple(g.worldBounds.max));
     if (g.scalar)
-      out += fmt::format("     \"minimum\": {}, \"maximum\": {}, \"background\": {},\n", number(g.minimum), number(g.maximum), number(g.background));
+      out += fmt::format("     \"minimum\": {}, \"maximum\": {}, \"background\": {},\n", number(g.minimum),
+                         number(g.maximum), number(g.background));
     out += fmt::format("     \"drawable\": {}, \"reason\": {}}}", g.drawable, jsonString(g.reason));
   }
   out += info.grids.empty() ? "],\n" : "\n  ],\n";
   if (fit)
-    out += fmt::format("  \"autofit\": {{\"grid\": {}, \"extinction\": {}, \"opticalDepth\": {}, \"bricks\": {}, \"brickBytes\": {}}}\n}}\n", jsonString(fit->grid),
-                       number(fit->fit.extinction), number(fit->fit.opticalDepth), fit->bricks, fit->bytes);
+    out += fmt::format(
+        "  \"autofit\": {{\"grid\": {}, \"extinction\": {}, \"opticalDepth\": {}, \"bricks\": {}, "
+        "\"brickBytes\": {}}}\n}}\n",
+        jsonString(fit->grid), number(fit->fit.extinction), number(fit->fit.opticalDepth), fit->bricks,
+        fit->bytes);
   else
     out += "  \"autofit\": null\n}\n";
   std::fwrite(out.data(), 1, out.size(), stdout);
@@ -125,13 +146,17 @@ int infoMain(const InfoOptions& options) {
     auto imported = volume::importVdb(options.file, chosen->name, control);
     if (!imported) return complain(imported.error());
     const volume::BrickGrid& g = *imported->grid;
-    fit = Fit{chosen->name, volume::autofit(g), g.payloadCount, std::uint64_t(g.payloadCount) * volume::kStoredVoxels};
+    fit = Fit{chosen->name, volume::autofit(g), g.payloadCount,
+              std::uint64_t(g.payloadCount) * volume::kStoredVoxels};
   }
-  if (options.json) printJson(options.file, *info, fit ? &*fit : nullptr);
-  else printText(options.file, *info, fit ? &*fit : nullptr);
+  if (options.json)
+    printJson(options.file, *info, fit ? &*fit : nullptr);
+  else
+    printText(options.file, *info, fit ? &*fit : nullptr);
   std::fflush(stdout);
   for (const GridInfo& g : info->grids)
-    if (g.damaged) return complain(fail(Code::Input, "{}: grid '{}': {}", options.file.string(), g.name, g.reason));
+    if (g.damaged)
+      return complain(fail(Code::Input, "{}: grid '{}': {}", options.file.string(), g.name, g.reason));
   return 0;
 }
 

@@ -7,15 +7,18 @@
 namespace pileus::volume {
 namespace {
 
-/// Integral of the density [unit x m] along the line through `center` (index coordinates) in a world direction.
-double integral(const BrickGrid& grid, const dmat4& indexFromWorld, const dvec3& center, const dvec3& direction, int level) {
+/// Integral of the density [unit x m] along the line through `center` (index coordinates) in a world
+/// direction.
+double integral(const BrickGrid& grid, const dmat4& indexFromWorld, const dvec3& center,
+                const dvec3& direction, int level) {
   const dvec3 d = dvec3(indexFromWorld * dvec4(direction, 0.0));
   const auto inside = intersectBox(center, d, grid.indexBounds.min, grid.indexBounds.max);
   if (!inside) return 0;
   const double length = inside->y - inside->x;  // metres: the direction has length 1 in the world
   const int steps = std::clamp(static_cast<int>(2 * length * glm::length(d) / std::exp2(level)), 16, 4096);
   double sum = 0;
-  for (int i = 0; i < steps; ++i) sum += std::max(0.0, sampleTrilinear(grid, center + d * (inside->x + length * (i + 0.5) / steps), level));
+  for (int i = 0; i < steps; ++i)
+    sum += std::max(0.0, sampleTrilinear(grid, center + d * (inside->x + length * (i + 0.5) / steps), level));
   return sum * length / steps;
 }
 
@@ -24,8 +27,9 @@ double integral(const BrickGrid& grid, const dmat4& indexFromWorld, const dvec3&
 Autofit autofit(const BrickGrid& grid, double target) {
   if (grid.empty()) return {};
   int level = 0;  // some 64 to 128 voxels along the longest axis tell enough
-  while (level + 1 < static_cast<int>(grid.levels.size()) && std::max({grid.levels[std::size_t(level)].bricks.x, grid.levels[std::size_t(level)].bricks.y,
-                                                                     grid.levels[std::size_t(level)].bricks.z}) > 8)
+  while (level + 1 < static_cast<int>(grid.levels.size()) &&
+         std::max({grid.levels[std::size_t(level)].bricks.x, grid.levels[std::size_t(level)].bricks.y,
+                   grid.levels[std::size_t(level)].bricks.z}) > 8)
     ++level;
   std::vector<dvec3> directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   constexpr int kSpread = 60;  // a spiral on the upper half sphere
@@ -37,7 +41,8 @@ Autofit autofit(const BrickGrid& grid, double target) {
   const auto median = [&](const dvec3& center) {
     std::vector<double> depths;
     for (const dvec3& d : directions)
-      if (const double t = integral(grid, indexFromWorld, center, d, level); t > 0 && std::isfinite(t)) depths.push_back(t);
+      if (const double t = integral(grid, indexFromWorld, center, d, level); t > 0 && std::isfinite(t))
+        depths.push_back(t);
     if (depths.empty()) return 0.0;
     const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
     std::nth_element(depths.begin(), middle, depths.end());
@@ -46,7 +51,8 @@ Autofit autofit(const BrickGrid& grid, double target) {
   double depth = median(grid.indexBounds.center());
   if (depth == 0) {  // hollow in the middle: through the brick with the largest values
     const Level& l = grid.levels.front();
-    const auto most = std::max_element(l.table.begin(), l.table.end(), [](const Brick& a, const Brick& b) { return a.maximum < b.maximum; });
+    const auto most = std::max_element(l.table.begin(), l.table.end(),
+                                       [](const Brick& a, const Brick& b) { return a.maximum < b.maximum; });
     const auto i = static_cast<int>(most - l.table.begin());
     const ivec3 brick(i % l.bricks.x, i / l.bricks.x % l.bricks.y, i / l.bricks.x / l.bricks.y);
     depth = median(dvec3(grid.origin) + (dvec3(brick) + 0.5) * double(kBrickSize));

@@ -9,8 +9,9 @@ struct Autofit {
   double opticalDepth = 0;  ///< that it gives: the median over rays through the middle; 0 for an empty grid
 };
 
-/// Extinction for an optical depth of about `target` through the middle of the grid: the median over rays through the centre of its
-/// bounds, along the axes and in well-spread directions. Rays that meet nothing do not count; an empty grid gives extinction 1.
+/// Extinction for an optical depth of about `target` through the middle of the grid: the median over rays
+/// through the centre of its bounds, along the axes and in well-spread directions. Rays that meet nothing do
+/// not count; an empty grid gives extinction 1.
 Autofit autofit(const BrickGrid& grid, double target = 6.0);
 
 }  // namespace pileus::volume

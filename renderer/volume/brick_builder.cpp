@@ -14,17 +14,21 @@ namespace pileus::volume {
 namespace {
 
 constexpr int kBrickVoxels = kBrickSize * kBrickSize * kBrickSize;
-constexpr std::size_t kGroupsPerChunk = 2048;  // up to 16384 bricks (96 MB) of scratch before empty slots are given back
+constexpr std::size_t kGroupsPerChunk =
+    2048;  // up to 16384 bricks (96 MB) of scratch before empty slots are given back
 
 /// The voxels of one level as floats, a pointer per brick; null: all zero.
 struct SparseFloats {
   ivec3 bricks{0};
   std::vector<std::unique_ptr<float[]>> data;
 
-  explicit SparseFloats(ivec3 size) : bricks(size), data(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z)) {}
+  explicit SparseFloats(ivec3 size)
+      : bricks(size), data(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z)) {}
   const float* at(ivec3 b) const {
     if (glm::any(glm::lessThan(b, ivec3(0))) || glm::any(glm::greaterThanEqual(b, bricks))) return nullptr;
-    return data[(std::size_t(b.z) * std::size_t(bricks.y) + std::size_t(b.y)) * std::size_t(bricks.x) + std::size_t(b.x)].get();
+    return data[(std::size_t(b.z) * std::size_t(bricks.y) + std::size_t(b.y)) * std::size_t(bricks.x) +
+                std::size_t(b.x)]
+        .get();
   }
 };
 
@@ -47,17 +51,21 @@ ivec3 unflatten(std::size_t i, ivec3 size) {
 std::size_t volumeOf(ivec3 s) { return std::size_t(s.x) * std::size_t(s.y) * std::size_t(s.z); }
 
 std::size_t storedIndex(int x, int y, int z) {
-  return (static_cast<std::size_t>(z) * kStoredSize + static_cast<std::size_t>(y)) * kStoredSize + static_cast<std::size_t>(x);
+  return (static_cast<std::size_t>(z) * kStoredSize + static_cast<std::size_t>(y)) * kStoredSize +
+         static_cast<std::size_t>(x);
 }
 
 /// Zeroes what lies outside the active bounds, so that a source may answer with its background there.
 void clip(float* block, ivec3 lo, ivec3 activeMin, ivec3 activeMax) {
-  if (glm::all(glm::greaterThanEqual(lo, activeMin)) && glm::all(glm::lessThanEqual(lo + (kStoredSize - 1), activeMax))) return;
+  if (glm::all(glm::greaterThanEqual(lo, activeMin)) &&
+      glm::all(glm::lessThanEqual(lo + (kStoredSize - 1), activeMax)))
+    return;
   for (int z = 0; z < kStoredSize; ++z)
     for (int y = 0; y < kStoredSize; ++y)
       for (int x = 0; x < kStoredSize; ++x) {
         const ivec3 p = lo + ivec3(x, y, z);
-        if (glm::any(glm::lessThan(p, activeMin)) || glm::any(glm::greaterThan(p, activeMax))) block[storedIndex(x, y, z)] = 0;
+        if (glm::any(glm::lessThan(p, activeMin)) || glm::any(glm::greaterThan(p, activeMax)))
+          block[storedIndex(x, y, z)] = 0;
       }
 }
 
@@ -69,7 +77,8 @@ Fill gather(const SparseFloats& level, ivec3 brick, float* out) {
       for (int dx = -1; dx <= 1; ++dx) {
         const float* source = level.at(brick + ivec3(dx, dy, dz));
         const ivec3 d(dx, dy, dz);
-        ivec3 from, to, shift;  // stored range of `out` that this neighbour covers, and where it starts in the neighbour
+        ivec3 from, to,
+            shift;  // stored range of `out` that this neighbour covers, and where it starts in the neighbour
         for (int a = 0; a < 3; ++a) {
           from[a] = d[a] < 0 ? 0 : d[a] == 0 ? kApron : kBrickSize + kApron;
           to[a] = d[a] < 0 ? kApron : d[a] == 0 ? kBrickSize + kApron : kStoredSize;
@@ -94,9 +103,11 @@ void reduceInto(std::unique_ptr<float[]>& parent, ivec3 octant, const float* blo
       for (int x = 0; x < half; ++x) {
         double sum = 0;
         for (int c = 0; c < 8; ++c)
-          sum += static_cast<double>(block[storedIndex(2 * x + 1 + (c & 1), 2 * y + 1 + ((c >> 1) & 1), 2 * z + 1 + (c >> 2))]);
+          sum += static_cast<double>(
+              block[storedIndex(2 * x + 1 + (c & 1), 2 * y + 1 + ((c >> 1) & 1), 2 * z + 1 + (c >> 2))]);
         const ivec3 at = octant * half + ivec3(x, y, z);
-        parent[static_cast<std::size_t>((at.z * kBrickSize + at.y) * kBrickSize + at.x)] = static_cast<float>(sum / 8);
+        parent[static_cast<std::size_t>((at.z * kBrickSize + at.y) * kBrickSize + at.x)] =
+            static_cast<float>(sum / 8);
       }
 }
 
@@ -116,16 +127,18 @@ struct Build {
   JobControl& control;
   const BuildLimits& limits;
   PayloadBuffer payload;
-  std::uint64_t used = 0;  ///< payloads kept so far
+  std::uint64_t used = 0;   ///< payloads kept so far
   double from = 0, to = 1;  ///< progress of the level being built
 };
 
 using BrickFill = std::function<Fill(ivec3 brick, float* out, Stats& stats)>;
 using BrickTest = std::function<bool(ivec3 brick)>;
 
-/// Builds one level: its table, its payloads, and the floats of the next level. Work goes by groups of 2x2x2 bricks, the bricks of one
-/// brick of the next level, so that no two threads write one float brick; and by chunks, so that the scratch stays small.
-Result<Stats> buildLevel(Build& build, Level& level, const BrickFill& fill, const BrickTest& touches, SparseFloats& next) {
+/// Builds one level: its table, its payloads, and the floats of the next level. Work goes by groups of 2x2x2
+/// bricks, the bricks of one brick of the next level, so that no two threads write one float brick; and by
+/// chunks, so that the scratch stays small.
+Result<Stats> buildLevel(Build& build, Level& level, const BrickFill& fill, const BrickTest& touches,
+                         SparseFloats& next) {
   level.table.assign(volumeOf(level.bricks), Brick{});
   const std::size_t groups = next.data.size();
   Stats total;
@@ -138,7 +151,9 @@ Result<Stats> buildLevel(Build& build, Level& level, const BrickFill& fill, cons
       for (int c = 0; c < 8; ++c) {
         const ivec3 b = unflatten(g, next.bricks) * 2 + ivec3(c & 1, (c >> 1) & 1, c >> 2);
         if (glm::any(glm::greaterThanEqual(b, level.bricks)) || !touches(b)) continue;
-        order.push_back((std::size_t(b.z) * std::size_t(level.bricks.y) + std::size_t(b.y)) * std::size_t(level.bricks.x) + std::size_t(b.x));
+        order.push_back((std::size_t(b.z) * std::size_t(level.bricks.y) + std::size_t(b.y)) *
+                            std::size_t(level.bricks.x) +
+                        std::size_t(b.x));
       }
     }
     firstOfGroup.push_back(order.size());
@@ -207,29 +222,34 @@ GridPtr emptyGrid(std::string name, const dmat4& worldFromIndex) {
   return grid;
 }
 
-Result<ivec3> latticeSize(const std::string& name, ivec3 activeMin, ivec3 activeMax, const BuildLimits& limits) {
+Result<ivec3> latticeSize(const std::string& name, ivec3 activeMin, ivec3 activeMax,
+                          const BuildLimits& limits) {
   ivec3 bricks;
   double lattice = 1;
   for (int a = 0; a < 3; ++a) {
     const std::int64_t extent = std::int64_t(activeMax[a]) - activeMin[a] + 1;
     constexpr std::int64_t reach = std::int64_t(1) << 30;  // index arithmetic stays far from the ends of int
     if (extent > limits.extent || activeMin[a] < -reach || activeMax[a] > reach)
-      return fail(Code::Input, "grid '{}': its active voxels span {} along {}, from {} to {}; the limit is {}", name, extent,
-                  "XYZ"[a], activeMin[a], activeMax[a], limits.extent);
+      return fail(Code::Input,
+                  "grid '{}': its active voxels span {} along {}, from {} to {}; the limit is {}", name,
+                  extent, "XYZ"[a], activeMin[a], activeMax[a], limits.extent);
     bricks[a] = static_cast<int>((extent + 1 + kBrickSize - 1) / kBrickSize);
     lattice *= bricks[a];
   }
   if (lattice > double(limits.latticeBricks))
-    return fail(Code::Input, "grid '{}': its bounds hold {:.3g} bricks; the limit is {}", name, lattice, limits.latticeBricks);
+    return fail(Code::Input, "grid '{}': its bounds hold {:.3g} bricks; the limit is {}", name, lattice,
+                limits.latticeBricks);
   return bricks;
 }
 
-Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, double from, const BuildLimits& limits) {
+Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, double from,
+                                const BuildLimits& limits) {
   const dmat4& m = source.worldFromIndex;
   const double det = glm::determinant(glm::dmat3(m));
   if (!std::isfinite(det) || det == 0 || !std::isfinite(glm::dot(m[3], m[3])))
     return fail(Code::Input, "grid '{}': its transform is singular", source.name);
-  if (glm::any(glm::lessThan(source.activeMax, source.activeMin))) return BuildResult{emptyGrid(source.name, m), 0};
+  if (glm::any(glm::lessThan(source.activeMax, source.activeMin)))
+    return BuildResult{emptyGrid(source.name, m), 0};
 
   auto grid = std::make_shared<BrickGrid>();
   grid->name = source.name;
@@ -257,10 +277,12 @@ Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, 
   grid->levels.push_back({bricks, {}});
   auto floats = std::make_unique<SparseFloats>((bricks + 1) / 2);
   auto stats = buildLevel(build, grid->levels[0], fillSource, touchesSource, *floats);
-  if (!stats) return Error{stats.error().code, fmt::format("grid '{}': {}", source.name, stats.error().message)};
+  if (!stats)
+    return Error{stats.error().code, fmt::format("grid '{}': {}", source.name, stats.error().message)};
   result.nonFinite = stats->nonFinite;
-  const ActiveStats active = source.stats ? *source.stats
-                             : stats->count > 0 ? ActiveStats{stats->count, stats->minimum, stats->maximum} : ActiveStats{};
+  const ActiveStats active = source.stats       ? *source.stats
+                             : stats->count > 0 ? ActiveStats{stats->count, stats->minimum, stats->maximum}
+                                                : ActiveStats{};
   grid->activeVoxels = active.count;
   if (build.used == 0 && std::all_of(grid->levels[0].table.begin(), grid->levels[0].table.end(),
                                      [](const Brick& b) { return b.offset == 0; })) {
@@ -280,14 +302,16 @@ Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, 
     auto next = std::make_unique<SparseFloats>((level.bricks + 1) / 2);
     const SparseFloats& current = *floats;
     const auto fillMip = [&](ivec3 b, float* out, Stats&) { return gather(current, b, out); };
-    // A brick answers for its own voxels and the far apron; the near apron counts for the first bricks only, where it is outside.
+    // A brick answers for its own voxels and the far apron; the near apron counts for the first bricks only,
+    // where it is outside.
     const auto touchesMip = [&](ivec3 b) {
       for (int c = 0; c < 8; ++c)
         if (current.at(b + ivec3(c & 1, (c >> 1) & 1, c >> 2))) return true;
       return false;
     };
     auto done = buildLevel(build, level, fillMip, touchesMip, *next);
-    if (!done) return Error{done.error().code, fmt::format("grid '{}': {}", source.name, done.error().message)};
+    if (!done)
+      return Error{done.error().code, fmt::format("grid '{}': {}", source.name, done.error().message)};
     build.from = build.from + (1 - build.from) * 0.8;
     grid->levels.push_back(std::move(level));
     floats = std::move(next);
@@ -295,7 +319,8 @@ Result<BuildResult> buildBricks(const VoxelSource& source, JobControl& control, 
   build.payload.resize(build.used);
   grid->payloadCount = static_cast<std::uint32_t>(build.used);
   grid->payload = build.payload.release();
-  for (const Brick& b : grid->levels[0].table) grid->maximum = std::max(grid->maximum, b.maximum);  // zeros of inactive voxels
+  for (const Brick& b : grid->levels[0].table)
+    grid->maximum = std::max(grid->maximum, b.maximum);  // zeros of inactive voxels
   grid->content = contentKeyOf(*grid);
   control.progress(1);
   result.grid = std::move(grid);

@@ -10,8 +10,9 @@ namespace {
 double storedVoxel(const BrickGrid& grid, const Brick& brick, ivec3 local) {
   if (brick.payload == kConstantBrick) return static_cast<double>(brick.offset);
   const ivec3 s = local + kApron;
-  const std::size_t at = (static_cast<std::size_t>(s.z) * kStoredSize + static_cast<std::size_t>(s.y)) * kStoredSize +
-                         static_cast<std::size_t>(s.x);
+  const std::size_t at =
+      (static_cast<std::size_t>(s.z) * kStoredSize + static_cast<std::size_t>(s.y)) * kStoredSize +
+      static_cast<std::size_t>(s.x);
   const auto byte = std::to_integer<unsigned>(grid.bytes(brick)[at]);
   return static_cast<double>(brick.offset) + static_cast<double>(brick.scale) * byte / 255.0;
 }
@@ -42,7 +43,9 @@ double sampleTrilinear(const BrickGrid& grid, const dvec3& index, int levelIndex
   for (int a = 0; a < 3; ++a) {
     if (!(p[a] > -1.0 && p[a] < double(level.bricks[a]) * kBrickSize)) return 0;  // also NaN
     const int voxel = static_cast<int>(std::floor(p[a]));
-    brick[a] = std::max(0, floorDiv(voxel, kBrickSize));  // the first brick also answers for (-1, 0): its near apron is stored
+    brick[a] = std::max(
+        0,
+        floorDiv(voxel, kBrickSize));  // the first brick also answers for (-1, 0): its near apron is stored
     local[a] = voxel - brick[a] * kBrickSize;
     t[a] = p[a] - voxel;
   }

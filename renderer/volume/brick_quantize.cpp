@@ -9,7 +9,8 @@ namespace {
 constexpr float kLargest = 1e37f;
 
 std::size_t storedIndex(int x, int y, int z) {
-  return (static_cast<std::size_t>(z) * kStoredSize + static_cast<std::size_t>(y)) * kStoredSize + static_cast<std::size_t>(x);
+  return (static_cast<std::size_t>(z) * kStoredSize + static_cast<std::size_t>(y)) * kStoredSize +
+         static_cast<std::size_t>(x);
 }
 
 }  // namespace
@@ -31,7 +32,8 @@ std::uint32_t sanitize(float* block) {
 }
 
 Brick quantize(const float* block, const bool (&firstBrick)[3], std::byte* bytes) {
-  // Constancy is decided by the voxels that the brick answers for; the range by all stored ones, so that the near apron is right too.
+  // Constancy is decided by the voxels that the brick answers for; the range by all stored ones, so that the
+  // near apron is right too.
   const int x0 = firstBrick[0] ? 0 : 1, y0 = firstBrick[1] ? 0 : 1, z0 = firstBrick[2] ? 0 : 1;
   const float first = block[storedIndex(x0, y0, z0)];
   bool constant = true;
@@ -48,7 +50,8 @@ Brick quantize(const float* block, const bool (&firstBrick)[3], std::byte* bytes
   brick.payload = 0;
   brick.offset = low;
   brick.scale = high - low;
-  while (brick.offset + brick.scale > high) brick.scale = std::nextafter(brick.scale, 0.0f);  // never above the true maximum
+  while (brick.offset + brick.scale > high)
+    brick.scale = std::nextafter(brick.scale, 0.0f);  // never above the true maximum
   const double offset = static_cast<double>(low), scale = static_cast<double>(brick.scale);
   const double perStep = 255.0 / scale;
   for (int i = 0; i < kStoredVoxels; ++i) {

@@ -10,8 +10,9 @@ namespace pileus::volume {
 /// Returns how many of the brick's own voxels that were.
 std::uint32_t sanitize(float* block);
 
-/// Range and bytes of a block of kStoredVoxels floats. `firstBrick[a]`: the brick is the first along that axis, so it also answers for
-/// its near apron there. Writes kStoredVoxels bytes to `bytes` unless the brick is constant. The payload index is 0 or kConstantBrick.
+/// Range and bytes of a block of kStoredVoxels floats. `firstBrick[a]`: the brick is the first along that
+/// axis, so it also answers for its near apron there. Writes kStoredVoxels bytes to `bytes` unless the brick
+/// is constant. The payload index is 0 or kConstantBrick.
 Brick quantize(const float* block, const bool (&firstBrick)[3], std::byte* bytes);
 
 }  // namespace pileus::volume

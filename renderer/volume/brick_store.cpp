@@ -29,13 +29,15 @@ struct Header {
   char magic[8];
   std::uint32_t version, payloadCount;
   std::uint64_t fileSize, metaSize, tableSize, payloadOffset;
-  Key metaKey;   ///< of metadata and tables, which follow the header in this order
-  Key content;   ///< BrickGrid::content
-  Key ownKey;    ///< of the header before this field
+  Key metaKey;  ///< of metadata and tables, which follow the header in this order
+  Key content;  ///< BrickGrid::content
+  Key ownKey;   ///< of the header before this field
 };
 static_assert(sizeof(Header) == 96 && std::is_trivially_copyable_v<Header>);
 
-Key keyOfHeader(const Header& h) { return hashBytes({reinterpret_cast<const std::byte*>(&h), offsetof(Header, ownKey)}); }
+Key keyOfHeader(const Header& h) {
+  return hashBytes({reinterpret_cast<const std::byte*>(&h), offsetof(Header, ownKey)});
+}
 
 std::string metadata(const BrickGrid& g, const std::vector<std::string>& notes) {
   ByteWriter w;
@@ -71,7 +73,8 @@ const char* parseMetadata(std::string_view bytes, BrickGrid& g, std::vector<std:
   for (std::uint32_t l = 0; l < levels; ++l) {
     ivec3 size;
     for (int a = 0; a < 3; ++a) size[a] = r.take<int>();
-    const bool sane = glm::all(glm::greaterThan(size, ivec3(0))) && glm::all(glm::lessThanEqual(size, ivec3(1 << 16)));
+    const bool sane =
+        glm::all(glm::greaterThan(size, ivec3(0))) && glm::all(glm::lessThanEqual(size, ivec3(1 << 16)));
     if (!sane || (l > 0 && size != (g.levels.back().bricks + 1) / 2)) return "its level sizes are damaged";
     g.levels.push_back({size, {}});
   }
@@ -83,14 +86,17 @@ const char* parseMetadata(std::string_view bytes, BrickGrid& g, std::vector<std:
 const char* parseTables(std::string_view bytes, BrickGrid& g) {
   std::uint64_t wanted = 0;
   for (const Level& level : g.levels)
-    wanted += std::uint64_t(level.bricks.x) * std::uint64_t(level.bricks.y) * std::uint64_t(level.bricks.z) * sizeof(Brick);
+    wanted += std::uint64_t(level.bricks.x) * std::uint64_t(level.bricks.y) * std::uint64_t(level.bricks.z) *
+              sizeof(Brick);
   if (wanted != bytes.size()) return "its tables have the wrong size";
   for (Level& level : g.levels) {
-    level.table.resize(std::size_t(level.bricks.x) * std::size_t(level.bricks.y) * std::size_t(level.bricks.z));
+    level.table.resize(std::size_t(level.bricks.x) * std::size_t(level.bricks.y) *
+                       std::size_t(level.bricks.z));
     std::memcpy(level.table.data(), bytes.data(), level.table.size() * sizeof(Brick));
     bytes.remove_prefix(level.table.size() * sizeof(Brick));
     for (const Brick& b : level.table) {
-      if (b.payload != kConstantBrick && b.payload >= g.payloadCount) return "a brick points outside the file";
+      if (b.payload != kConstantBrick && b.payload >= g.payloadCount)
+        return "a brick points outside the file";
       if (!std::isfinite(b.offset) || !std::isfinite(b.scale)) return "a brick's range is not a number";
     }
   }
@@ -172,13 +178,16 @@ Result<StoredGrid> readStore(const fs::path& path) {
   if (h.ownKey != keyOfHeader(h)) return damaged("its header is damaged");
   if (h.fileSize != mapping->size) return damaged("it is not as long as its header says");
   const std::uint64_t room = h.fileSize - sizeof h;
-  if (h.metaSize > room || h.tableSize > room - h.metaSize || h.payloadOffset < sizeof h + h.metaSize + h.tableSize ||
-      h.payloadOffset > h.fileSize || h.payloadOffset % kAlignment != 0 ||
+  if (h.metaSize > room || h.tableSize > room - h.metaSize ||
+      h.payloadOffset < sizeof h + h.metaSize + h.tableSize || h.payloadOffset > h.fileSize ||
+      h.payloadOffset % kAlignment != 0 ||
       h.fileSize - h.payloadOffset != std::uint64_t(h.payloadCount) * kStoredVoxels)
     return damaged("its sections do not fit");
   const std::byte* front = mapping->data + sizeof h;
-  if (hashBytes({front, static_cast<std::size_t>(h.metaSize + h.tableSize)}) != h.metaKey) return damaged("its tables are damaged");
-  const std::string_view text(reinterpret_cast<const char*>(front), static_cast<std::size_t>(h.metaSize + h.tableSize));
+  if (hashBytes({front, static_cast<std::size_t>(h.metaSize + h.tableSize)}) != h.metaKey)
+    return damaged("its tables are damaged");
+  const std::string_view text(reinterpret_cast<const char*>(front),
+                              static_cast<std::size_t>(h.metaSize + h.tableSize));
 
   StoredGrid stored;
   auto grid = std::make_shared<BrickGrid>();

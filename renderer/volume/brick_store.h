@@ -1,6 +1,7 @@
 #pragma once
-// A BrickGrid as one seekable file: header, metadata, tables, then payloads aligned to 4 KiB so that they can be mapped and streamed.
-// Little-endian. Everything is covered by checksums: a damaged file is an error, never a wrong picture.
+// A BrickGrid as one seekable file: header, metadata, tables, then payloads aligned to 4 KiB so that they can
+// be mapped and streamed. Little-endian. Everything is covered by checksums: a damaged file is an error,
+// never a wrong picture.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct StoredGrid {
 };
 
 /// Temporary file beside the target, then rename. Error (Input): the path and the reason.
-Result<void> writeStore(const std::filesystem::path& path, const BrickGrid& grid, const std::vector<std::string>& notes = {});
+Result<void> writeStore(const std::filesystem::path& path, const BrickGrid& grid,
+                        const std::vector<std::string>& notes = {});
 /// Maps the file; the grid keeps it mapped. Error (Input): missing, another version, damaged (what is wrong).
 Result<StoredGrid> readStore(const std::filesystem::path& path);
 /// Deletes the files of `folder` used longest ago until they take at most maxBytes together.

@@ -1,5 +1,6 @@
 #pragma once
-// Writing and bounds-checked reading of small binary records: the store's metadata, the messages of the import child.
+// Writing and bounds-checked reading of small binary records: the store's metadata, the messages of the
+// import child.
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -11,8 +12,7 @@ namespace pileus::volume {
 class ByteWriter {
  public:
   template <class T>
-    requires(std::is_arithmetic_v<T>)
-  ByteWriter& put(T value) {
+  requires(std::is_arithmetic_v<T>) ByteWriter& put(T value) {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
     return *this;
   }
@@ -32,8 +32,7 @@ class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
   template <class T>
-    requires(std::is_arithmetic_v<T>)
-  T take() {
+  requires(std::is_arithmetic_v<T>) T take() {
     T value{};
     if (rest_.size() < sizeof value) {
       ok_ = false;

@@ -15,7 +15,8 @@ extern char** environ;
 
 namespace pileus::volume {
 
-Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable, const std::vector<std::string>& arguments) {
+Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable,
+                                         const std::vector<std::string>& arguments) {
   int pipes[2][2];
   if (::pipe2(pipes[0], O_CLOEXEC) != 0) return fail(Code::Internal, "no pipe: {}", std::strerror(errno));
   if (::pipe2(pipes[1], O_CLOEXEC) != 0) {
@@ -38,7 +39,8 @@ Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &defaults);
   ::posix_spawnattr_setpgroup(&attributes, 0);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  ::posix_spawnattr_setflags(&attributes,
+                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   const std::string program = executable.string();
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
@@ -57,7 +59,9 @@ Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable
 }
 
 ChildProcess::ChildProcess(ChildProcess&& o) noexcept
-    : out(std::move(o.out)), err(std::move(o.err)), pid_(std::exchange(o.pid_, -1)),
+    : out(std::move(o.out)),
+      err(std::move(o.err)),
+      pid_(std::exchange(o.pid_, -1)),
       streams_{std::exchange(o.streams_[0], -1), std::exchange(o.streams_[1], -1)} {}
 
 ChildProcess::~ChildProcess() {

@@ -1,5 +1,6 @@
 #pragma once
-// A child process with captured standard output and error, a wall-clock limit, and death on request. Not for shells.
+// A child process with captured standard output and error, a wall-clock limit, and death on request. Not for
+// shells.
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -11,8 +12,10 @@ namespace pileus::volume {
 
 class ChildProcess {
  public:
-  /// Starts it in a process group of its own, standard input from /dev/null, no other file descriptors. Error: Internal.
-  static Result<ChildProcess> start(const std::filesystem::path& executable, const std::vector<std::string>& arguments);
+  /// Starts it in a process group of its own, standard input from /dev/null, no other file descriptors.
+  /// Error: Internal.
+  static Result<ChildProcess> start(const std::filesystem::path& executable,
+                                    const std::vector<std::string>& arguments);
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&&) = delete;
   ~ChildProcess();  ///< kills and reaps
@@ -23,8 +26,8 @@ class ChildProcess {
   /// Waits for the end; the wait status of waitpid.
   int wait();
 
-  std::string out;   ///< not yet consumed standard output
-  std::string err;   ///< the last 4 KiB of standard error
+  std::string out;  ///< not yet consumed standard output
+  std::string err;  ///< the last 4 KiB of standard error
   long id() const { return pid_; }
 
  private:

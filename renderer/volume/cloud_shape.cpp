@@ -40,7 +40,8 @@ void buildCloud(const Cloud& cloud, float base, float billow, CloudShape& out) {
   Random random(cloud.seed);
   const float R = cloud.radius;
   const int columns = 6 + static_cast<int>(random.next() * 5.0f);
-  const vec2 lean(random.between(-0.25f, 0.25f), random.between(-0.25f, 0.25f));  // off-centre towers look alive
+  const vec2 lean(random.between(-0.25f, 0.25f),
+                  random.between(-0.25f, 0.25f));  // off-centre towers look alive
   for (int i = 0; i < columns; ++i) {
     vec2 d;
     do d = {random.between(-1, 1), random.between(-1, 1)};
@@ -66,14 +67,16 @@ void buildCloud(const Cloud& cloud, float base, float billow, CloudShape& out) {
   }
   for (Clump& c : out.clumps) {
     if (c.bound > 0) continue;
-    for (std::size_t b = c.begin; b < c.end; ++b) c.bound = std::max(c.bound, glm::length(out.balls[b].center - c.center) + out.balls[b].radius);
+    for (std::size_t b = c.begin; b < c.end; ++b)
+      c.bound = std::max(c.bound, glm::length(out.balls[b].center - c.center) + out.balls[b].radius);
   }
 }
 
 /// The ground as a raster of covered cells.
 class Ground {
  public:
-  Ground(vec2 size, float base, float shear, float middle) : size_(size), base_(base), shear_(shear), middle_(middle) {
+  Ground(vec2 size, float base, float shear, float middle)
+      : size_(size), base_(base), shear_(shear), middle_(middle) {
     const float cell = std::max(size.x, size.y) / 128.0f;
     n_ = glm::max(ivec2(size / cell + 0.5f), ivec2(1));
     covered_.assign(static_cast<std::size_t>(n_.x * n_.y), 0);
@@ -102,7 +105,10 @@ class Ground {
     auto skip = static_cast<std::size_t>(static_cast<double>(u) * double(covered_.size() - count_));
     for (std::size_t i = 0; i < covered_.size(); ++i) {
       if (covered_[i] || skip-- > 0) continue;
-      return (vec2(static_cast<float>(static_cast<int>(i) % n_.x), static_cast<float>(static_cast<int>(i) / n_.x)) + 0.5f) * size_ / vec2(n_);
+      return (vec2(static_cast<float>(static_cast<int>(i) % n_.x),
+                   static_cast<float>(static_cast<int>(i) / n_.x)) +
+              0.5f) *
+             size_ / vec2(n_);
     }
     return size_ * 0.5f;
   }
@@ -116,7 +122,8 @@ class Ground {
 };
 
 /// A place as far as possible from the clouds that stand; nothing if every try overlaps one deeply.
-std::optional<vec2> openPlace(const std::vector<Cloud>& clouds, float radius, vec2 inset, vec2 size, Random& random) {
+std::optional<vec2> openPlace(const std::vector<Cloud>& clouds, float radius, vec2 inset, vec2 size,
+                              Random& random) {
   std::optional<vec2> best;
   float bestGap = -0.3f * radius;
   for (int i = 0; i < 24; ++i) {
@@ -140,7 +147,8 @@ CloudShape shapeClouds(const CloudParams& params, JobControl& control) {
   const float shear = static_cast<float>(params.shear), billow = static_cast<float>(params.billow);
   const vec2 ground(size.x, size.z);
   // Not below 1/30 of the box, so that the number of clouds stays bounded in a very wide one.
-  const float largest = std::max(std::min(0.62f * shape.scale, 0.45f * std::min(ground.x, ground.y)), std::max(ground.x, ground.y) / 30.0f);
+  const float largest = std::max(std::min(0.62f * shape.scale, 0.45f * std::min(ground.x, ground.y)),
+                                 std::max(ground.x, ground.y) / 30.0f);
   Ground covered(ground, shape.base, shear, 0.5f * size.y);
   Random random(static_cast<std::uint32_t>(params.seed) * 2654435761u + 1u);
   std::vector<Cloud> clouds;
@@ -151,7 +159,8 @@ CloudShape shapeClouds(const CloudParams& params, JobControl& control) {
     Cloud cloud{{}, largest * (0.24f + 0.76f * u * u), 0, seed};
     std::optional<vec2> place;
     vec2 inset(0.0f);
-    for (int attempt = 0; attempt < 4 && !place; ++attempt) {  // a smaller cloud rather than one that overlaps
+    for (int attempt = 0; attempt < 4 && !place;
+         ++attempt) {  // a smaller cloud rather than one that overlaps
       if (attempt > 0) cloud.radius *= 0.65f;
       cloud.height = std::min(cloud.radius * aspect, 0.72f * shape.scale);
       const float lean = std::abs(shear) * 0.5f * size.y;

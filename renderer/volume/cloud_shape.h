@@ -1,6 +1,6 @@
 #pragma once
-// Where the clouds of a field stand and what they are made of: trees of balls, big ones for the body, smaller ones on their surface for
-// the cauliflower. No voxels here.
+// Where the clouds of a field stand and what they are made of: trees of balls, big ones for the body, smaller
+// ones on their surface for the cauliflower. No voxels here.
 #include <vector>
 
 #include "renderer/volume/procedural.h"
@@ -13,7 +13,8 @@ struct Ball {
   float blend;  ///< metres over which it joins its neighbours smoothly
 };
 
-/// A ball of the body with everything that grows on it: balls[begin, end), all inside `bound` around `center`.
+/// A ball of the body with everything that grows on it: balls[begin, end), all inside `bound` around
+/// `center`.
 struct Clump {
   vec3 center;
   float bound;
@@ -21,15 +22,15 @@ struct Clump {
 };
 
 struct CloudShape {
-  float scale = 1;       ///< metres: the height of the box, to which all sizes relate
-  float base = 0;        ///< height of the common condensation level above the box's bottom
+  float scale = 1;  ///< metres: the height of the box, to which all sizes relate
+  float base = 0;   ///< height of the common condensation level above the box's bottom
   std::vector<Ball> balls;
   std::vector<Clump> clumps;
 };
 
-/// Positions are relative to the box's lowest corner, before shear. Clouds are set one after another, far from those that stand, until
-/// the wanted fraction of the ground is covered: raising the coverage adds clouds and moves none.
-/// Stops early, with what stands so far, when cancelled.
+/// Positions are relative to the box's lowest corner, before shear. Clouds are set one after another, far
+/// from those that stand, until the wanted fraction of the ground is covered: raising the coverage adds
+/// clouds and moves none. Stops early, with what stands so far, when cancelled.
 CloudShape shapeClouds(const CloudParams& params, JobControl& control);
 
 }  // namespace pileus::volume

@@ -20,8 +20,11 @@ struct Kind {
   std::string_view magic, description;
 };
 constexpr Kind kKinds[] = {
-    {"NanoVDB"sv, "a NanoVDB file (.nvdb), which is not supported yet; convert it to .vdb, for instance with nanovdb_convert"},
-    {"version https://git-lfs"sv, "a Git LFS pointer, not the file itself; run `git lfs pull` where it comes from"},
+    {"NanoVDB"sv,
+     "a NanoVDB file (.nvdb), which is not supported yet; convert it to .vdb, for instance with "
+     "nanovdb_convert"},
+    {"version https://git-lfs"sv,
+     "a Git LFS pointer, not the file itself; run `git lfs pull` where it comes from"},
     {"\x76\x2f\x31\x01"sv, "an OpenEXR image"},
     {"\x89PNG"sv, "a PNG image"},
     {"\xff\xd8\xff"sv, "a JPEG image"},
@@ -62,16 +65,19 @@ std::optional<std::string> whyNotVdb(const fs::path& path) {
     if (head.size() < 21) return "is truncated: its header is cut off";
     std::uint32_t version;
     std::memcpy(&version, head.data() + 8, sizeof version);
-    if (version < 200 || version > 999) return fmt::format("is damaged: its header claims file format {}", version);
+    if (version < 200 || version > 999)
+      return fmt::format("is damaged: its header claims file format {}", version);
     return std::nullopt;
   }
-  if (path.extension() == ".nvdb") return std::string("is not a VDB file: ") + std::string(kKinds[0].description);
+  if (path.extension() == ".nvdb")
+    return std::string("is not a VDB file: ") + std::string(kKinds[0].description);
   if (isText(head)) {
     const std::string_view line = head.substr(0, std::min<std::size_t>(head.find('\n'), 40));
     return fmt::format("is not a VDB file: it is text, beginning with \"{}\"", line);
   }
   std::string hex;
-  for (char c : head.substr(0, 8)) hex += fmt::format("{}{:02x}", hex.empty() ? "" : " ", static_cast<unsigned char>(c));
+  for (char c : head.substr(0, 8))
+    hex += fmt::format("{}{:02x}", hex.empty() ? "" : " ", static_cast<unsigned char>(c));
   return fmt::format("is not a VDB file: it begins with the bytes {}", hex);
 }
 

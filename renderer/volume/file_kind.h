@@ -6,7 +6,8 @@
 
 namespace pileus::volume {
 
-/// Nothing: the file exists, can be read and begins like a VDB. Otherwise why not, and what it looks like instead.
+/// Nothing: the file exists, can be read and begins like a VDB. Otherwise why not, and what it looks like
+/// instead.
 std::optional<std::string> whyNotVdb(const std::filesystem::path& path);
 
 }  // namespace pileus::volume

@@ -1,5 +1,6 @@
 #pragma once
-// Integer-hash noise and random numbers, equal on every machine: only +, -, *, /, sqrt and floor, no library transcendental functions.
+// Integer-hash noise and random numbers, equal on every machine: only +, -, *, /, sqrt and floor, no library
+// transcendental functions.
 #include <cmath>
 #include <cstdint>
 
@@ -21,7 +22,9 @@ inline std::uint32_t hash3(int x, int y, int z, std::uint32_t seed) {
 class Random {
  public:
   explicit Random(std::uint32_t seed) : seed_(seed) {}
-  float next() { return static_cast<float>(hash3(static_cast<int>(count_++), 17, 59, seed_) >> 8) * 0x1p-24f; }
+  float next() {
+    return static_cast<float>(hash3(static_cast<int>(count_++), 17, 59, seed_) >> 8) * 0x1p-24f;
+  }
   float between(float lo, float hi) { return lo + (hi - lo) * next(); }
 
  private:
@@ -43,7 +46,11 @@ inline float worley(vec3 p, std::uint32_t seed) {
         const vec3 gap = glm::max(glm::max(o - f, f - o - 1.0f), vec3(0.0f));
         if (glm::dot(gap, gap) >= nearest) continue;
         const std::uint32_t h = hash3(cell.x + x, cell.y + y, cell.z + z, seed);
-        const vec3 point = o + vec3(static_cast<float>(h & 1023u), static_cast<float>((h >> 10) & 1023u), static_cast<float>(h >> 22)) * (1.0f / 1024.0f) - f;
+        const vec3 point = o +
+                           vec3(static_cast<float>(h & 1023u), static_cast<float>((h >> 10) & 1023u),
+                                static_cast<float>(h >> 22)) *
+                               (1.0f / 1024.0f) -
+                           f;
         nearest = std::min(nearest, glm::dot(point, point));
       }
   return nearest;
@@ -59,7 +66,10 @@ inline float gradientNoise(vec3 p, std::uint32_t seed) {
   for (int c = 0; c < 8; ++c) {
     const ivec3 o(c & 1, (c >> 1) & 1, c >> 2);
     const std::uint32_t h = hash3(cell.x + o.x, cell.y + o.y, cell.z + o.z, seed);
-    const vec3 g = vec3(static_cast<float>(h & 1023u), static_cast<float>((h >> 10) & 1023u), static_cast<float>(h >> 22)) * (2.0f / 1023.0f) - 1.0f;
+    const vec3 g = vec3(static_cast<float>(h & 1023u), static_cast<float>((h >> 10) & 1023u),
+                        static_cast<float>(h >> 22)) *
+                       (2.0f / 1023.0f) -
+                   1.0f;
     corners[c] = glm::dot(g, f - vec3(o));
   }
   const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };

@@ -30,7 +30,9 @@ bool PayloadBuffer::resize(std::uint64_t count) {
   return true;
 }
 
-std::byte* PayloadBuffer::at(std::uint64_t index) { return data_ + static_cast<std::size_t>(index) * kStoredVoxels; }
+std::byte* PayloadBuffer::at(std::uint64_t index) {
+  return data_ + static_cast<std::size_t>(index) * kStoredVoxels;
+}
 
 std::shared_ptr<const std::byte> PayloadBuffer::release() {
   std::byte* data = std::exchange(data_, nullptr);

@@ -19,13 +19,19 @@ constexpr int kCell = 4;  ///< voxels along an edge of the blocks that share one
 class Field {
  public:
   Field(const CloudParams& params, const CloudShape& shape, float voxel)
-      : shape_(shape), size_(params.size), seed_(static_cast<std::uint32_t>(params.seed)), density_(static_cast<float>(params.density)),
-        shear_(static_cast<float>(params.shear)), middle_(0.5f * size_.y) {
+      : shape_(shape),
+        size_(params.size),
+        seed_(static_cast<std::uint32_t>(params.seed)),
+        density_(static_cast<float>(params.density)),
+        shear_(static_cast<float>(params.shear)),
+        middle_(0.5f * size_.y) {
     const float s = shape.scale;
     const auto octave = [&](float wavelength, float amplitude) {
-      // Bands that the voxels cannot carry fade to their mean, so that a coarse bake is a low-pass of a fine one.
+      // Bands that the voxels cannot carry fade to their mean, so that a coarse bake is a low-pass of a fine
+      // one.
       const float keep = smoothstep01((wavelength / voxel - 1.5f) / 2.0f);
-      octaves_.push_back({1.0f / wavelength, amplitude * keep, amplitude * (1 - keep) * (kMean - kLift), amplitude * (1 - kLift)});
+      octaves_.push_back({1.0f / wavelength, amplitude * keep, amplitude * (1 - keep) * (kMean - kLift),
+                          amplitude * (1 - kLift)});
       reach_ += amplitude * (1 - kLift);
     };
     const float b = static_cast<float>(params.billow), d = static_cast<float>(params.detail);
@@ -47,10 +53,13 @@ class Field {
   /// What bends the balls out of round at an unsheared position.
   vec3 warp(vec3 straight) const {
     const vec3 at = straight * warpFrequency_;
-    return warp_ * vec3(gradientNoise(at, seed_ ^ 11u), 0.6f * gradientNoise(at, seed_ ^ 12u), gradientNoise(at, seed_ ^ 13u));
+    return warp_ * vec3(gradientNoise(at, seed_ ^ 11u), 0.6f * gradientNoise(at, seed_ ^ 12u),
+                        gradientNoise(at, seed_ ^ 13u));
   }
   /// Largest change of the warp over a distance, by its steepest slope.
-  float warpChange(float distance) const { return std::min(2 * warp_, 3.0f * warp_ * warpFrequency_ * distance); }
+  float warpChange(float distance) const {
+    return std::min(2 * warp_, 3.0f * warp_ * warpFrequency_ * distance);
+  }
   float reach() const { return reach_; }
 
   /// Density at p (relative to the box's lowest corner) from the balls in the list, the large ones first.
@@ -76,23 +85,27 @@ class Field {
       if (d > left || d < -left - kCoreDepth * s) break;
       const Octave& o = octaves_[i];
       float n = o.constant;
-      if (o.amplitude > 0) n += o.amplitude * (std::min(1.0f, worley(q * o.frequency, seed_ + 101u + static_cast<std::uint32_t>(i))) - kLift);
+      if (o.amplitude > 0)
+        n += o.amplitude *
+             (std::min(1.0f, worley(q * o.frequency, seed_ + 101u + static_cast<std::uint32_t>(i))) - kLift);
       d += bulge * n;
       left -= o.largest;
     }
     if (d >= outside_) return 0;
-    d = -smoothMin(-d, above + 0.008f * s * gradientNoise(straight * (2.0f * warpFrequency_), seed_ ^ 14u), 0.03f * s);  // cut at the condensation level
+    d = -smoothMin(-d, above + 0.008f * s * gradientNoise(straight * (2.0f * warpFrequency_), seed_ ^ 14u),
+                   0.03f * s);  // cut at the condensation level
     d = std::max(d, boxDistance(p));
     if (d >= outside_) return 0;
     const float shell = smoothstep01((outside_ - d) / edge_);
     const float core = 0.6f + 0.4f * smoothstep01(-d / (kCoreDepth * s));
-    const float water = 0.65f + 0.35f * std::min(1.0f, std::max(0.0f, above) / (0.5f * s));  // liquid water grows with height
+    const float water =
+        0.65f + 0.35f * std::min(1.0f, std::max(0.0f, above) / (0.5f * s));  // liquid water grows with height
     return density_ * shell * core * water;
   }
 
  private:
-  static constexpr float kMean = 0.28f;  ///< mean of min(1, worley)
-  static constexpr float kLift = 0.30f;  ///< bulges stand out by that much, crevices cut in by the rest
+  static constexpr float kMean = 0.28f;       ///< mean of min(1, worley)
+  static constexpr float kLift = 0.30f;       ///< bulges stand out by that much, crevices cut in by the rest
   static constexpr float kCoreDepth = 0.06f;  ///< of the scale: where the density reaches that of the core
   struct Octave {
     float frequency, amplitude, constant;
@@ -139,13 +152,16 @@ struct Bake {
   }
 };
 
-void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& shape, float voxel, JobControl& control) {
+void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& shape, float voxel,
+               JobControl& control) {
   const auto position = [&](ivec3 index) { return (vec3(index) + 0.5f) * voxel; };
-  vec3 center;  // of a block of n voxels, unsheared and warped, and how far from there its field can come from
+  vec3
+      center;  // of a block of n voxels, unsheared and warped, and how far from there its field can come from
   float radius;
   const auto block = [&](ivec3 lo, int n) {
     const vec3 a = field.unsheared(position(lo)), b = field.unsheared(position(lo + (n - 1)));
-    const vec3 c = field.unsheared(position(lo + ivec3(0, n - 1, 0))), d = field.unsheared(position(lo + ivec3(n - 1, 0, n - 1)));
+    const vec3 c = field.unsheared(position(lo + ivec3(0, n - 1, 0))),
+               d = field.unsheared(position(lo + ivec3(n - 1, 0, n - 1)));
     center = 0.5f * (a + b);
     const float half = 0.5f * std::max(glm::length(b - a), glm::length(d - c));
     center += field.warp(center);
@@ -162,11 +178,13 @@ void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& sh
     if (!touches(clump.center, clump.bound)) continue;
     for (std::size_t i = clump.begin; i < clump.end; ++i) {
       const Ball& b = shape.balls[i];
-      if (b.radius > 0.3f * voxel && touches(b.center, b.radius + b.blend)) near.push_back(b);  // smaller ones do not show
+      if (b.radius > 0.3f * voxel && touches(b.center, b.radius + b.blend))
+        near.push_back(b);  // smaller ones do not show
     }
   }
   if (near.empty()) return;
-  std::stable_sort(near.begin(), near.end(), [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+  std::stable_sort(near.begin(), near.end(),
+                   [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
   std::unique_ptr<float[]> out;
   for (int z = 0; z < kBrickSize; z += kCell)
     for (int y = 0; y < kBrickSize; y += kCell)
@@ -190,7 +208,8 @@ void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& sh
               out[static_cast<std::size_t>(((z + k) * kBrickSize + y + j) * kBrickSize + x + i)] = v;
             }
       }
-  bake.data[static_cast<std::size_t>((brick.z * bake.bricks.y + brick.y) * bake.bricks.x + brick.x)] = std::move(out);
+  bake.data[static_cast<std::size_t>((brick.z * bake.bricks.y + brick.y) * bake.bricks.x + brick.x)] =
+      std::move(out);
 }
 
 /// Index bounds of the voxels that are not 0.
@@ -204,7 +223,8 @@ void tightBounds(const Bake& bake, ivec3& lowest, ivec3& highest) {
         if (!data) continue;
         for (int i = 0; i < kBrickSize * kBrickSize * kBrickSize; ++i) {
           if (data[i] == 0) continue;
-          const ivec3 p = ivec3(bx, by, bz) * kBrickSize + ivec3(i % kBrickSize, i / kBrickSize % kBrickSize, i / kBrickSize / kBrickSize);
+          const ivec3 p = ivec3(bx, by, bz) * kBrickSize +
+                          ivec3(i % kBrickSize, i / kBrickSize % kBrickSize, i / kBrickSize / kBrickSize);
           lowest = glm::min(lowest, p);
           highest = glm::max(highest, p);
         }
@@ -244,14 +264,17 @@ Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control) {
   Bake bake;
   bake.voxels = glm::max(ivec3(params.size / voxel + 0.5), ivec3(1));
   bake.bricks = (bake.voxels + (kBrickSize - 1)) / kBrickSize;
-  const std::size_t count = std::size_t(bake.bricks.x) * std::size_t(bake.bricks.y) * std::size_t(bake.bricks.z);
+  const std::size_t count =
+      std::size_t(bake.bricks.x) * std::size_t(bake.bricks.y) * std::size_t(bake.bricks.z);
   bake.data.resize(count);
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
     if (control.cancelled()) return;
     const int flat = static_cast<int>(i);
-    bakeBrick(bake, {flat % bake.bricks.x, flat / bake.bricks.x % bake.bricks.y, flat / bake.bricks.x / bake.bricks.y}, field, shape,
-              static_cast<float>(voxel), control);
+    bakeBrick(
+        bake,
+        {flat % bake.bricks.x, flat / bake.bricks.x % bake.bricks.y, flat / bake.bricks.x / bake.bricks.y},
+        field, shape, static_cast<float>(voxel), control);
     control.progress(0.9 * double(++done) / double(count));
   });
   if (control.cancelled()) return fail(Code::Cancelled, "cancelled");

@@ -80,7 +80,8 @@ int work(int argc, char** argv, Speaker& speaker, JobControl& control) {
   }
   auto imported = (*file)->import(argv[4], control);
   if (!imported) return speaker.fail(imported.error());
-  if (auto written = writeStore(argv[5], *imported->grid, imported->warnings); !written) return speaker.fail(written.error());
+  if (auto written = writeStore(argv[5], *imported->grid, imported->warnings); !written)
+    return speaker.fail(written.error());
   speaker.say(MessageKind::Done, "");
   return 0;
 }
@@ -94,20 +95,23 @@ int importChildMain(int argc, char** argv) {
     return ::write(2, kWhy, sizeof kWhy - 1) > 0 ? 2 : 2;
   }
   limitSelf(argv[argc - 2], argv[argc - 1]);
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), 16));
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), 16));
   Speaker speaker;
   JobControl control;
   std::atomic<bool> over{false};
   std::thread reporter([&] {
     for (double last = 0; !over; std::this_thread::sleep_for(std::chrono::milliseconds(20)))
-      if (const double now = control.progress(); now != last) speaker.say(MessageKind::Progress, ByteWriter().put(last = now).bytes());
+      if (const double now = control.progress(); now != last)
+        speaker.say(MessageKind::Progress, ByteWriter().put(last = now).bytes());
   });
   int status;
   try {
     status = work(argc, argv, speaker, control);
   } catch (const std::bad_alloc&) {
-    status = speaker.fail(pileus::fail(Code::Input, "reading it takes more than the {} MiB of memory allowed", std::strtoull(argv[argc - 2], nullptr, 10) >> 20));
+    status = speaker.fail(pileus::fail(Code::Input, "reading it takes more than the {} MiB of memory allowed",
+                                       std::strtoull(argv[argc - 2], nullptr, 10) >> 20));
   } catch (const std::exception& e) {
     status = speaker.fail(pileus::fail(Code::Input, "the file is damaged ({})", e.what()));
   } catch (...) {

@@ -9,8 +9,9 @@
 
 namespace pileus::volume {
 
-/// The hidden subcommand: argv = <exe> import inspect FILE MEMORY CPU | <exe> import grid FILE NAME STORE MEMORY CPU
-/// (limits in bytes and seconds). Speaks the protocol below on standard output. Returns the exit status.
+/// The hidden subcommand: argv = <exe> import inspect FILE MEMORY CPU | <exe> import grid FILE NAME STORE
+/// MEMORY CPU (limits in bytes and seconds). Speaks the protocol below on standard output. Returns the exit
+/// status.
 int importChildMain(int argc, char** argv);
 
 /// A message: one byte kind, four bytes length, content.

@@ -43,9 +43,14 @@ dmat4 toMatrix(const openvdb::math::Transform& t) {
 
 std::string describeTransform(const openvdb::math::Transform& t) {
   static const std::map<std::string, std::string> words = {
-      {"UniformScaleMap", "uniform scale"}, {"UniformScaleTranslateMap", "uniform scale and translation"}, {"ScaleMap", "scale"},
-      {"ScaleTranslateMap", "scale and translation"}, {"TranslationMap", "translation"}, {"UnitaryMap", "rotation"},
-      {"AffineMap", "affine"}, {"NonlinearFrustumMap", "frustum (not affine)"}};
+      {"UniformScaleMap", "uniform scale"},
+      {"UniformScaleTranslateMap", "uniform scale and translation"},
+      {"ScaleMap", "scale"},
+      {"ScaleTranslateMap", "scale and translation"},
+      {"TranslationMap", "translation"},
+      {"UnitaryMap", "rotation"},
+      {"AffineMap", "affine"},
+      {"NonlinearFrustumMap", "frustum (not affine)"}};
   const auto it = words.find(t.mapType());
   return it == words.end() ? clean(t.mapType()) : it->second;
 }
@@ -59,8 +64,8 @@ std::string valueTypeOf(const openvdb::GridBase& g) {
 /// Calls f with the grid as its own type if its values are scalars.
 template <class F>
 bool withScalar(const openvdb::GridBase& g, F&& f) {
-  using ScalarGrids = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid, openvdb::Int64Grid,
-                                        openvdb::BoolGrid, openvdb::MaskGrid>;
+  using ScalarGrids = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid,
+                                        openvdb::Int64Grid, openvdb::BoolGrid, openvdb::MaskGrid>;
   return g.apply<ScalarGrids>(std::forward<F>(f));
 }
 
@@ -88,7 +93,8 @@ Range rangeOf(const Tree& tree) {
   Range r;
   forActive(tree, [&](double v, std::uint64_t n) {
     r.count += n;
-    if (!std::isfinite(v)) r.nonFinite += n;
+    if (!std::isfinite(v))
+      r.nonFinite += n;
     else {
       r.minimum = std::min(r.minimum, v);
       r.maximum = std::max(r.maximum, v);
@@ -103,12 +109,16 @@ template <class Tree>
 class TreeBlocks {
  public:
   TreeBlocks(const Tree& tree, ivec3 activeMin, ivec3 activeMax, ivec3 bricks)
-      : tree_(tree), origin_(activeMin - 1), bricks_(bricks), touched_(std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z), 0) {
+      : tree_(tree),
+        origin_(activeMin - 1),
+        bricks_(bricks),
+        touched_(std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z), 0) {
     if (static_cast<double>(tree.background()) != 0.0) {
       std::fill(touched_.begin(), touched_.end(), std::uint8_t(1));
       return;
     }
-    const CoordBBox active(Coord(activeMin.x, activeMin.y, activeMin.z), Coord(activeMax.x, activeMax.y, activeMax.z));
+    const CoordBBox active(Coord(activeMin.x, activeMin.y, activeMin.z),
+                           Coord(activeMax.x, activeMax.y, activeMax.z));
     const auto mark = [&](CoordBBox box) {
       box.intersect(active);
       if (!box.empty()) markBricks(toIvec(box.min()), toIvec(box.max()));
@@ -160,7 +170,8 @@ class TreeBlocks {
 
  private:
   std::size_t flat(ivec3 b) const {
-    return (std::size_t(b.z) * std::size_t(bricks_.y) + std::size_t(b.y)) * std::size_t(bricks_.x) + std::size_t(b.x);
+    return (std::size_t(b.z) * std::size_t(bricks_.y) + std::size_t(b.y)) * std::size_t(bricks_.x) +
+           std::size_t(b.x);
   }
   /// Bricks whose block (own voxels and apron: 16 b - 1 .. 16 b + 16 of the lattice) meets the box.
   void markBricks(ivec3 lowest, ivec3 highest) {
@@ -176,8 +187,8 @@ class TreeBlocks {
   std::vector<std::uint8_t> touched_;
 };
 
-/// file_bbox is never trusted, but one that claims an absurd size for a tree that holds nothing betrays a damaged file; an empty or
-/// inverted one only says that there is nothing.
+/// file_bbox is never trusted, but one that claims an absurd size for a tree that holds nothing betrays a
+/// damaged file; an empty or inverted one only says that there is nothing.
 std::optional<std::string> absurdClaim(const openvdb::GridBase& g) {
   const auto lowest = g.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
   const auto highest = g.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MAX);
@@ -209,12 +220,13 @@ int rankOf(const openvdb::GridBase& g) {
 std::string undrawable(const openvdb::GridBase& g) {
   if (g.isType<openvdb::points::PointDataGrid>()) return "is a point grid; points are not drawn";
   if (!isScalar(g)) return fmt::format("holds {} values; only scalar grids are drawn", clean(g.valueType()));
-  if (g.getGridClass() == openvdb::GRID_LEVEL_SET) return "is a level set (distances to a surface); only fog volumes are drawn";
+  if (g.getGridClass() == openvdb::GRID_LEVEL_SET)
+    return "is a level set (distances to a surface); only fog volumes are drawn";
   return {};
 }
 
-/// OpenVDB does not notice a file that ends too early: it goes on with zeros. This reads the header strictly and compares where the
-/// grids should end with where the file does.
+/// OpenVDB does not notice a file that ends too early: it goes on with zeros. This reads the header strictly
+/// and compares where the grids should end with where the file does.
 class Extent : private openvdb::io::Archive {
  public:
   /// Empty: the file is as long as it says.
@@ -236,9 +248,11 @@ class Extent : private openvdb::io::Archive {
       for (auto n = readGridCount(is); n > 0; --n) {
         openvdb::io::GridDescriptor grid;
         grid.read(is);
-        if (grid.getGridPos() < 0 || grid.getEndPos() < grid.getGridPos()) return "is damaged: a grid's position in the file is absurd";
+        if (grid.getGridPos() < 0 || grid.getEndPos() < grid.getGridPos())
+          return "is damaged: a grid's position in the file is absurd";
         if (grid.getEndPos() > size)
-          return fmt::format("is truncated: grid '{}' ends at byte {}, but the file has {}", clean(grid.gridName()), grid.getEndPos(), size);
+          return fmt::format("is truncated: grid '{}' ends at byte {}, but the file has {}",
+                             clean(grid.gridName()), grid.getEndPos(), size);
         grid.seekToEnd(is);
       }
     } catch (const std::ios_base::failure&) {
@@ -277,7 +291,8 @@ void VdbFile::Impl::list() {
       const auto at = e.handle.rfind('[');
       return at == std::string::npos ? -1L : std::strtol(e.handle.c_str() + at + 1, nullptr, 10);
     };
-    std::stable_sort(group.begin(), group.end(), [&](const Entry& a, const Entry& b) { return suffix(a) < suffix(b); });
+    std::stable_sort(group.begin(), group.end(),
+                     [&](const Entry& a, const Entry& b) { return suffix(a) < suffix(b); });
     for (std::size_t i = 0; i < group.size(); ++i) {
       group[i].name = group.size() == 1 ? base : fmt::format("{}[{}]", base, i);
       entries.push_back(std::move(group[i]));
@@ -286,8 +301,9 @@ void VdbFile::Impl::list() {
 }
 
 const VdbFile::Impl::Entry* VdbFile::Impl::choose() const {
-  const auto it = std::min_element(entries.begin(), entries.end(),
-                                   [](const Entry& a, const Entry& b) { return rankOf(*a.metadata) < rankOf(*b.metadata); });
+  const auto it = std::min_element(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return rankOf(*a.metadata) < rankOf(*b.metadata);
+  });
   return it == entries.end() ? nullptr : &*it;
 }
 
@@ -315,7 +331,8 @@ GridInfo VdbFile::Impl::describe(const Entry& entry) const {
   g.voxelSize = {size.x(), size.y(), size.z()};
   g.scalar = isScalar(meta);
   g.reason = undrawable(meta);
-  if (g.reason.empty() && !affine) g.reason = "its transform is not affine (a frustum); resample it to a uniform grid";
+  if (g.reason.empty() && !affine)
+    g.reason = "its transform is not affine (a frustum); resample it to a uniform grid";
 
   const auto grid = file->readGrid(entry.handle);
   const CoordBBox box = grid->evalActiveVoxelBoundingBox();
@@ -355,7 +372,8 @@ Result<std::unique_ptr<VdbFile>> VdbFile::open(const std::filesystem::path& path
   std::unique_ptr<VdbFile> out(new VdbFile);
   out->impl_->file = std::make_unique<openvdb::io::File>(path.string());
   try {
-    if (const std::string missing = Extent().whatIsMissing(path); !missing.empty()) return Error{Code::Input, missing};
+    if (const std::string missing = Extent().whatIsMissing(path); !missing.empty())
+      return Error{Code::Input, missing};
     out->impl_->file->open(false);  // no delayed loading
     out->impl_->list();
   } catch (const openvdb::Exception& e) {
@@ -391,8 +409,8 @@ Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& co
   };
   if (const std::string why = undrawable(meta); !why.empty()) return empty(why);
   if (!meta.transform().isLinear())
-    return fail(Code::Input, "grid '{}': its transform is not affine ({}); resample it to a uniform grid", entry->name,
-                describeTransform(meta.transform()));
+    return fail(Code::Input, "grid '{}': its transform is not affine ({}); resample it to a uniform grid",
+                entry->name, describeTransform(meta.transform()));
   const auto grid = impl_->file->readGrid(entry->handle);
   control.progress(0.3);
   const CoordBBox box = grid->evalActiveVoxelBoundingBox();
@@ -400,7 +418,8 @@ Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& co
     if (auto claim = absurdClaim(*grid)) return fail(Code::Input, "grid '{}': {}", entry->name, *claim);
     return empty("holds no active voxels");
   }
-  VoxelSource source{entry->name, toMatrix(meta.transform()), toIvec(box.min()), toIvec(box.max()), {}, {}, {}};
+  VoxelSource source{entry->name, toMatrix(meta.transform()), toIvec(box.min()), toIvec(box.max()), {}, {},
+                     {}};
   PILEUS_TRY(const ivec3 bricks, latticeSize(source.name, source.activeMin, source.activeMax));
   std::vector<std::string> warnings;
   Result<BuildResult> built = fail(Code::Internal, "no voxels");
@@ -412,12 +431,18 @@ Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& co
     source.fill = [&](ivec3 lo, float* out) { return blocks.fill(lo, out); };
     source.touches = [&](ivec3 lo) { return blocks.touches(lo); };
     built = buildBricks(source, control, 0.4);
-    if (r.nonFinite > 0) warnings.push_back(fmt::format("grid '{}': {} voxels are not finite and were taken as 0", source.name, r.nonFinite));
+    if (r.nonFinite > 0)
+      warnings.push_back(
+          fmt::format("grid '{}': {} voxels are not finite and were taken as 0", source.name, r.nonFinite));
     if (static_cast<double>(tree.background()) != 0.0)
-      warnings.push_back(fmt::format("grid '{}': its background is {}; outside its active bounds it is taken as 0", source.name,
-                                     static_cast<double>(tree.background())));
-    if (r.minimum < 0) warnings.push_back(fmt::format("grid '{}' has negative values (down to {:.4g}); they are drawn as empty", source.name, r.minimum));
-    if (r.minimum == 0 && r.maximum == 0) warnings.push_back(fmt::format("grid '{}': all of its values are 0", source.name));
+      warnings.push_back(
+          fmt::format("grid '{}': its background is {}; outside its active bounds it is taken as 0",
+                      source.name, static_cast<double>(tree.background())));
+    if (r.minimum < 0)
+      warnings.push_back(fmt::format(
+          "grid '{}' has negative values (down to {:.4g}); they are drawn as empty", source.name, r.minimum));
+    if (r.minimum == 0 && r.maximum == 0)
+      warnings.push_back(fmt::format("grid '{}': all of its values are 0", source.name));
   });
   if (!built) return built.error();
   return ImportedGrid{built->grid, std::move(warnings)};

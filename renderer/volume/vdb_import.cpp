@@ -37,10 +37,12 @@ std::string_view lastLine(std::string_view text) {
 }
 
 /// Runs the child to its end and returns the content of its Info or Done message.
-Result<std::string> runChild(const fs::path& path, std::vector<std::string> arguments, JobControl& control, const ImportLimits& limits) {
+Result<std::string> runChild(const fs::path& path, std::vector<std::string> arguments, JobControl& control,
+                             const ImportLimits& limits) {
   arguments.push_back(std::to_string(limits.memoryBytes));
   arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
-  auto started = ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
+  auto started =
+      ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
   if (!started) return started.error();
   ChildProcess& child = *started;
   const auto begin = std::chrono::steady_clock::now();
@@ -54,8 +56,10 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
       auto message = takeMessage(child.out);
       if (!message) return message.error();
       if (!*message) break;
-      if ((*message)->kind == MessageKind::Progress) control.progress(ByteReader((*message)->content).take<double>());
-      else answer = std::move(**message);
+      if ((*message)->kind == MessageKind::Progress)
+        control.progress(ByteReader((*message)->content).take<double>());
+      else
+        answer = std::move(**message);
     }
   }
   const int status = child.wait();
@@ -66,11 +70,15 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
   }
   if (WIFSIGNALED(status)) {
     const int s = WTERMSIG(status);
-    if (s == SIGXCPU) return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
-    return about(path, Code::Input, fmt::format("the file is damaged: its reader was stopped by signal {} ({})", s, ::strsignal(s)));
+    if (s == SIGXCPU)
+      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
+    return about(
+        path, Code::Input,
+        fmt::format("the file is damaged: its reader was stopped by signal {} ({})", s, ::strsignal(s)));
   }
   if (answer && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(answer->content);
-  return about(path, Code::Internal, fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
+  return about(path, Code::Internal,
+               fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
 }
 
 fs::path storeFolder() {
@@ -84,13 +92,15 @@ fs::path storeFolder() {
 
 Result<VdbInfo> inspectVdb(const fs::path& path, JobControl& control, const ImportLimits& limits) {
   if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
-  PILEUS_TRY(const std::string content, runChild(path, {"import", "inspect", path.string()}, control, limits));
+  PILEUS_TRY(const std::string content,
+             runChild(path, {"import", "inspect", path.string()}, control, limits));
   auto info = decodeInfo(content);
   if (!info) return about(path, Code::Internal, "its reader's answer is malformed");
   return std::move(*info);
 }
 
-Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName, JobControl& control, const ImportLimits& limits) {
+Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName, JobControl& control,
+                               const ImportLimits& limits) {
   if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
   const Key key = Hasher().add(fileStamp(path)).add(gridName).add(kStoreVersion).add("vdb").key();
   const fs::path folder = storeFolder(), store = folder / (key.hex() + ".bricks");
@@ -100,12 +110,15 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
       fs::last_write_time(store, fs::file_time_type::clock::now(), ec);  // used now: pruned last
       return ImportedGrid{stored->grid, std::move(stored->notes)};
     } else {
-      log::info("reading {} again, because its cached bricks cannot be used: {}", path.string(), stored.error().message);
+      log::info("reading {} again, because its cached bricks cannot be used: {}", path.string(),
+                stored.error().message);
     }
   }
   PILEUS_CHECK(runChild(path, {"import", "grid", path.string(), gridName, store.string()}, control, limits));
   auto stored = readStore(store);
-  if (!stored) return about(path, Code::Internal, fmt::format("its bricks cannot be read back: {}", stored.error().message));
+  if (!stored)
+    return about(path, Code::Internal,
+                 fmt::format("its bricks cannot be read back: {}", stored.error().message));
   pruneStores(folder, kCacheBytes);
   return ImportedGrid{stored->grid, std::move(stored->notes)};
 }

@@ -1,7 +1,8 @@
 #pragma once
-// Reading .vdb files. The parsing is done by a child process of the same binary under limits (OpenVDB may hang, crash or exhaust memory
-// on a hostile file, and cannot be interrupted); cancelling kills the child. Imported grids are kept as brick stores in the cache
-// folder, keyed by the file's stamp and the grid, and mapped from there; a valid one is used again without a child.
+// Reading .vdb files. The parsing is done by a child process of the same binary under limits (OpenVDB may
+// hang, crash or exhaust memory on a hostile file, and cannot be interrupted); cancelling kills the child.
+// Imported grids are kept as brick stores in the cache folder, keyed by the file's stamp and the grid, and
+// mapped from there; a valid one is used again without a child.
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -16,29 +17,30 @@ namespace pileus::volume {
 struct GridInfo {
   std::string name;       ///< unique: the name, or name[i] if several share it
   std::string gridClass;  ///< "fog volume", "level set", "staggered", "unknown"
-  std::string valueType;  ///< "float", "half" (a float grid saved as half), "double", "int32", "vec3s", "points", ..
+  std::string
+      valueType;  ///< "float", "half" (a float grid saved as half), "double", "int32", "vec3s", "points", ..
   std::string transform;  ///< in words: "uniform scale", "scale and translate", "affine", "frustum", ..
   std::string creator;    ///< from the grid's metadata, or empty
   dmat4 worldFromIndex{1.0};
-  dvec3 voxelSize{1.0};   ///< metres
-  bool hasBounds = false; ///< some voxel is active
+  dvec3 voxelSize{1.0};             ///< metres
+  bool hasBounds = false;           ///< some voxel is active
   ivec3 indexMin{0}, indexMax{-1};  ///< inclusive, of active voxels
-  Box3 worldBounds;       ///< of the active voxels' centres
+  Box3 worldBounds;                 ///< of the active voxels' centres
   std::uint64_t activeVoxels = 0, nonFinite = 0;
   std::uint64_t memoryBytes = 0;    ///< of the tree in memory
   double minimum = 0, maximum = 0;  ///< over active finite voxels; scalar grids only
   double background = 0;
   bool scalar = false;
   bool drawable = false;
-  bool damaged = false;   ///< what it says contradicts itself: importing it is an error
-  std::string reason;     ///< why not drawable
+  bool damaged = false;  ///< what it says contradicts itself: importing it is an error
+  std::string reason;    ///< why not drawable
 };
 
 struct VdbInfo {
-  std::string version;    ///< library and file format, "10.0/224"
+  std::string version;                                        ///< library and file format, "10.0/224"
   std::vector<std::pair<std::string, std::string>> metadata;  ///< of the file
   std::vector<GridInfo> grids;                                ///< in alphabetical order of their names
-  int chosen = -1;        ///< what an empty grid name would import; -1: nothing can be drawn
+  int chosen = -1;  ///< what an empty grid name would import; -1: nothing can be drawn
 };
 
 struct ImportLimits {
@@ -53,13 +55,16 @@ struct ImportedGrid {
   std::vector<std::string> warnings;  ///< for the node: empty grid, level set, NaN voxels, ..
 };
 
-/// Everything in the file. Errors: Input (missing, not a VDB, damaged), Cancelled, Internal (the child could not be run).
-Result<VdbInfo> inspectVdb(const std::filesystem::path& path, JobControl& control, const ImportLimits& limits = {});
+/// Everything in the file. Errors: Input (missing, not a VDB, damaged), Cancelled, Internal (the child could
+/// not be run).
+Result<VdbInfo> inspectVdb(const std::filesystem::path& path, JobControl& control,
+                           const ImportLimits& limits = {});
 
-/// One grid; gridName "" chooses by name and class: a fog volume named density or smoke first, level sets last. A grid that cannot be
-/// drawn (level set, points, vectors, no active voxels) is an empty grid with a warning. Errors: as above; Input also for a grid that
-/// is not there (lists those that are), a non-affine transform, an absurd size.
-Result<ImportedGrid> importVdb(const std::filesystem::path& path, const std::string& gridName, JobControl& control,
-                               const ImportLimits& limits = {});
+/// One grid; gridName "" chooses by name and class: a fog volume named density or smoke first, level sets
+/// last. A grid that cannot be drawn (level set, points, vectors, no active voxels) is an empty grid with a
+/// warning. Errors: as above; Input also for a grid that is not there (lists those that are), a non-affine
+/// transform, an absurd size.
+Result<ImportedGrid> importVdb(const std::filesystem::path& path, const std::string& gridName,
+                               JobControl& control, const ImportLimits& limits = {});
 
 }  // namespace pileus::volume

@@ -11,7 +11,11 @@ void encodeGrid(ByteWriter& w, const GridInfo& g) {
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r) w.put(g.worldFromIndex[c][r]);
   for (int a = 0; a < 3; ++a)
-    w.put(g.voxelSize[a]).put(g.indexMin[a]).put(g.indexMax[a]).put(g.worldBounds.min[a]).put(g.worldBounds.max[a]);
+    w.put(g.voxelSize[a])
+        .put(g.indexMin[a])
+        .put(g.indexMax[a])
+        .put(g.worldBounds.min[a])
+        .put(g.worldBounds.max[a]);
   w.put(g.activeVoxels).put(g.nonFinite).put(g.memoryBytes).put(g.minimum).put(g.maximum).put(g.background);
   w.put(g.hasBounds).put(g.scalar).put(g.drawable).put(g.damaged);
 }
@@ -20,7 +24,8 @@ bool takeBool(ByteReader& r) { return r.take<unsigned char>() != 0; }
 
 GridInfo decodeGrid(ByteReader& r) {
   GridInfo g;
-  for (std::string* text : {&g.name, &g.gridClass, &g.valueType, &g.transform, &g.creator, &g.reason}) *text = r.takeText();
+  for (std::string* text : {&g.name, &g.gridClass, &g.valueType, &g.transform, &g.creator, &g.reason})
+    *text = r.takeText();
   for (int c = 0; c < 4; ++c)
     for (int row = 0; row < 4; ++row) g.worldFromIndex[c][row] = r.take<double>();
   for (int a = 0; a < 3; ++a) {

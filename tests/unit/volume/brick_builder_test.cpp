@@ -30,7 +30,9 @@ float bumpy(ivec3 p) {
   return v > 0 ? static_cast<float>(v * 3.7) : 0.0f;
 }
 
-const Brick& brickOf(const BrickGrid& g, ivec3 index) { return g.levels[0].at((index - g.origin) / kBrickSize); }
+const Brick& brickOf(const BrickGrid& g, ivec3 index) {
+  return g.levels[0].at((index - g.origin) / kBrickSize);
+}
 
 BuildResult build(const VoxelSource& s) {
   JobControl control;
@@ -51,8 +53,10 @@ TEST(BrickBuilder, VoxelsAreWithinHalfAQuantumAndZerosExact) {
         const bool inside = glm::all(glm::greaterThanEqual(p, lo)) && glm::all(glm::lessThanEqual(p, hi));
         const float want = inside ? bumpy(p) : 0.0f, have = voxelAt(*g, p);
         count += want != 0;
-        if (want == 0) ASSERT_EQ(have, 0.0f);
-        else ASSERT_NEAR(have, want, brickOf(*g, p).scale / 510 * 1.0001f);
+        if (want == 0)
+          ASSERT_EQ(have, 0.0f);
+        else
+          ASSERT_NEAR(have, want, brickOf(*g, p).scale / 510 * 1.0001f);
       }
   EXPECT_EQ(g->activeVoxels, count);
   EXPECT_EQ(g->origin, lo - 1);
@@ -73,10 +77,12 @@ TEST(BrickBuilder, TrilinearIsContinuousAcrossBricksAndMatchesTheVoxels) {
     for (int c = 0; c < 8; ++c) {
       const ivec3 o(c & 1, (c >> 1) & 1, c >> 2), q = base + o;
       const bool inside = glm::all(glm::greaterThanEqual(q, lo)) && glm::all(glm::lessThanEqual(q, hi));
-      want += (o.x ? t.x : 1 - t.x) * (o.y ? t.y : 1 - t.y) * (o.z ? t.z : 1 - t.z) * static_cast<double>(inside ? bumpy(q) : 0.0f);
+      want += (o.x ? t.x : 1 - t.x) * (o.y ? t.y : 1 - t.y) * (o.z ? t.z : 1 - t.z) *
+              static_cast<double>(inside ? bumpy(q) : 0.0f);
     }
     const ivec3 b = (base - g->origin) / kBrickSize;
-    const bool covered = glm::all(glm::greaterThanEqual(base, g->origin)) && glm::all(glm::lessThan(b, g->levels[0].bricks));
+    const bool covered =
+        glm::all(glm::greaterThanEqual(base, g->origin)) && glm::all(glm::lessThan(b, g->levels[0].bricks));
     if (covered) quantum = static_cast<double>(g->levels[0].at(b).scale) / 255;
     ASSERT_NEAR(sampleTrilinear(*g, p), want, 0.5 * quantum + 1e-6) << p.x << " " << p.y << " " << p.z;
   }
@@ -84,7 +90,8 @@ TEST(BrickBuilder, TrilinearIsContinuousAcrossBricksAndMatchesTheVoxels) {
   for (int i = 0; i < 2000; ++i) {
     dvec3 p(u(random) * 70, u(random) * 40, u(random) * 40);
     p.x = g->origin.x + kBrickSize * (1 + i % 4);
-    EXPECT_NEAR(sampleTrilinear(*g, p), sampleTrilinear(*g, p - dvec3(1e-9, 0, 0)), 2 * 0.5 * 7.4 / 255 + 1e-6);
+    EXPECT_NEAR(sampleTrilinear(*g, p), sampleTrilinear(*g, p - dvec3(1e-9, 0, 0)),
+                2 * 0.5 * 7.4 / 255 + 1e-6);
   }
 }
 
@@ -190,9 +197,12 @@ TEST(BrickBuilder, RefusesAbsurdSizesAndSingularTransforms) {
 }
 
 TEST(BrickBuilder, ContentKeyFollowsTheVoxelsAndThreadsDoNotMatter) {
-  const auto a = build(sourceOf(bumpy, ivec3(0), ivec3(150, 90, 40))).grid, b = build(sourceOf(bumpy, ivec3(0), ivec3(150, 90, 40))).grid;
+  const auto a = build(sourceOf(bumpy, ivec3(0), ivec3(150, 90, 40))).grid,
+             b = build(sourceOf(bumpy, ivec3(0), ivec3(150, 90, 40))).grid;
   EXPECT_EQ(a->content, b->content);
-  const auto c = build(sourceOf([](ivec3 p) { return p == ivec3(7) ? 9.0f : bumpy(p); }, ivec3(0), ivec3(150, 90, 40))).grid;
+  const auto c =
+      build(sourceOf([](ivec3 p) { return p == ivec3(7) ? 9.0f : bumpy(p); }, ivec3(0), ivec3(150, 90, 40)))
+          .grid;
   EXPECT_NE(a->content, c->content);
 }
 

@@ -22,7 +22,8 @@ GridPtr sampleGrid() {
   s.activeMin = ivec3(-20, 3, 7);
   s.activeMax = ivec3(30, 40, 30);
   s.fill = [](ivec3 lo, float* out) {
-    for (int i = 0; i < kStoredVoxels; ++i) out[i] = static_cast<float>((i * 7919 + lo.x * 31 + lo.y * 17 + lo.z) % 1000) * 0.01f;
+    for (int i = 0; i < kStoredVoxels; ++i)
+      out[i] = static_cast<float>((i * 7919 + lo.x * 31 + lo.y * 17 + lo.z) % 1000) * 0.01f;
     return Fill::Voxels;
   };
   JobControl control;
@@ -72,7 +73,9 @@ TEST(BrickStore, MissingAndForeignFilesAreErrors) {
 }
 
 /// Without fsync: hundreds of small files.
-void writePlain(const fs::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+void writePlain(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
 
 TEST(BrickStore, DamageIsNoticed) {
   const fs::path folder = test::scratchFolder();

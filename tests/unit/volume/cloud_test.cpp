@@ -31,7 +31,8 @@ double groundCovered(const BrickGrid& g, const CloudParams& p) {
   for (int z = lo.z; z <= hi.z; ++z)
     for (int x = lo.x; x <= hi.x; ++x) {
       bool any = false;
-      for (int y = lo.y; y <= hi.y && !any; ++y) any = static_cast<double>(voxelAt(g, {x, y, z})) > 0.2 * p.density;
+      for (int y = lo.y; y <= hi.y && !any; ++y)
+        any = static_cast<double>(voxelAt(g, {x, y, z})) > 0.2 * p.density;
       columns += any;
     }
   return columns * g.voxelSize * g.voxelSize / (p.size.x * p.size.z);
@@ -112,7 +113,8 @@ TEST(Cloud, EveryCornerOfTheParametersWorks) {
       const auto g = bake(p);
       EXPECT_TRUE(std::isfinite(g->maximum));
     }
-  for (const dvec3 size : {dvec3(10, 5000, 10), dvec3(1e-3), dvec3(1e6, 1, 1e6), dvec3(1e6, 1e-3, 1), dvec3(200, 60, 3000)}) {
+  for (const dvec3 size :
+       {dvec3(10, 5000, 10), dvec3(1e-3), dvec3(1e6, 1, 1e6), dvec3(1e6, 1e-3, 1), dvec3(200, 60, 3000)}) {
     CloudParams p = coarse(20);
     p.size = size;
     EXPECT_TRUE(std::isfinite(bake(p)->maximum));
@@ -152,7 +154,8 @@ TEST(Cloud, CancelStopsSoon) {
   canceller.join();
   ASSERT_FALSE(r);
   EXPECT_EQ(r.error().code, Code::Cancelled);
-  EXPECT_LT(std::chrono::duration<double>(ended - asked).count(), 0.5);  // 50 ms when the machine has nothing else to do
+  EXPECT_LT(std::chrono::duration<double>(ended - asked).count(),
+            0.5);  // 50 ms when the machine has nothing else to do
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// VDB files through the import child: real files against OpenVDB's own samplers, and everything that must be refused.
+// VDB files through the import child: real files against OpenVDB's own samplers, and everything that must be
+// refused.
 #include "renderer/volume/vdb_import.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ namespace fs = std::filesystem;
 namespace pileus::volume {
 namespace {
 
-Result<ImportedGrid> import(const fs::path& path, const std::string& grid = "", const ImportLimits& limits = {}) {
+Result<ImportedGrid> import(const fs::path& path, const std::string& grid = "",
+                            const ImportLimits& limits = {}) {
   JobControl control;
   return importVdb(path, grid, control, limits);
 }
@@ -64,7 +66,8 @@ void compareWithOpenVdb(const fs::path& path, const GridInfo& info, const openvd
   const auto quantumAt = [&](ivec3 p) {
     if (g.empty()) return 0.0;
     const ivec3 b = (p - g.origin) / kBrickSize;
-    if (glm::any(glm::lessThan(p, g.origin)) || glm::any(glm::greaterThanEqual(b, g.levels[0].bricks))) return 0.0;
+    if (glm::any(glm::lessThan(p, g.origin)) || glm::any(glm::greaterThanEqual(b, g.levels[0].bricks)))
+      return 0.0;
     return static_cast<double>(g.levels[0].at(b).scale) / 255;
   };
   const auto access = grid.getConstAccessor();
@@ -73,7 +76,8 @@ void compareWithOpenVdb(const fs::path& path, const GridInfo& info, const openvd
   for (int i = 0; i < 100000; ++i) {
     const ivec3 p = info.indexMin + ivec3(dvec3(u(random), u(random), u(random)) * size);
     const auto want = static_cast<double>(access.getValue(openvdb::Coord(p.x, p.y, p.z)));
-    ASSERT_NEAR(static_cast<double>(voxelAt(g, p)), want, 0.5 * quantumAt(p) + float32) << info.name << " " << p.x << " " << p.y << " " << p.z;
+    ASSERT_NEAR(static_cast<double>(voxelAt(g, p)), want, 0.5 * quantumAt(p) + float32)
+        << info.name << " " << p.x << " " << p.y << " " << p.z;
   }
   for (int i = 0; i < 10000; ++i) {
     const dvec3 p = dvec3(info.indexMin) - 1.0 + dvec3(u(random), u(random), u(random)) * (size + 1.0);
@@ -84,15 +88,19 @@ void compareWithOpenVdb(const fs::path& path, const GridInfo& info, const openvd
       const openvdb::Coord q = base0.offsetBy(c & 1, (c >> 1) & 1, c >> 2);
       const dvec3 t = p - dvec3(base0.x(), base0.y(), base0.z());
       const ivec3 qi(q.x(), q.y(), q.z());
-      const bool in = glm::all(glm::greaterThanEqual(qi, info.indexMin)) && glm::all(glm::lessThanEqual(qi, info.indexMax));
+      const bool in = glm::all(glm::greaterThanEqual(qi, info.indexMin)) &&
+                      glm::all(glm::lessThanEqual(qi, info.indexMax));
       inside = inside && in;
-      if (in) want += (c & 1 ? t.x : 1 - t.x) * (c & 2 ? t.y : 1 - t.y) * (c & 4 ? t.z : 1 - t.z) * static_cast<double>(access.getValue(q));
+      if (in)
+        want += (c & 1 ? t.x : 1 - t.x) * (c & 2 ? t.y : 1 - t.y) * (c & 4 ? t.z : 1 - t.z) *
+                static_cast<double>(access.getValue(q));
     }
     const double bound = 0.5 * quantumAt(ivec3(base0.x(), base0.y(), base0.z())) + float32;
     const double have = sampleTrilinear(g, p);
     ASSERT_NEAR(have, want, bound) << info.name;
     if (!inside) continue;
-    const auto sampled = static_cast<double>(openvdb::tools::BoxSampler::sample(grid.tree(), openvdb::Vec3R(p.x, p.y, p.z)));
+    const auto sampled =
+        static_cast<double>(openvdb::tools::BoxSampler::sample(grid.tree(), openvdb::Vec3R(p.x, p.y, p.z)));
     ASSERT_NEAR(have, sampled, bound + 2 * float32) << info.name;
   }
 }
@@ -120,11 +128,14 @@ TEST(VdbImport, EveryFloatGridMatchesOpenVdb) {
     openvdb::io::File file(path.string());
     file.open(false);
     for (const GridInfo& g : info->grids) {
-      if (!g.drawable || (g.valueType != "float" && g.valueType != "half" && g.valueType != "double")) continue;
+      if (!g.drawable || (g.valueType != "float" && g.valueType != "half" && g.valueType != "double"))
+        continue;
       const auto base = file.readGrid(g.name);
       ++compared;
-      if (g.valueType == "double") compareWithOpenVdb<openvdb::DoubleGrid>(path, g, *base);
-      else compareWithOpenVdb<openvdb::FloatGrid>(path, g, *base);
+      if (g.valueType == "double")
+        compareWithOpenVdb<openvdb::DoubleGrid>(path, g, *base);
+      else
+        compareWithOpenVdb<openvdb::FloatGrid>(path, g, *base);
       if (HasFatalFailure()) return;
     }
   }
@@ -194,7 +205,8 @@ TEST(VdbImport, TruncatedAnywhereIsAnError) {
   PILEUS_NEEDS_DATA();
   const std::string whole = *readFile(*test::dataFolder() / "vdb/smoke1.vdb");
   const fs::path folder = test::scratchFolder();
-  for (std::size_t size : {std::size_t(30), std::size_t(300), whole.size() / 10, whole.size() / 2, whole.size() - 1}) {
+  for (std::size_t size :
+       {std::size_t(30), std::size_t(300), whole.size() / 10, whole.size() / 2, whole.size() - 1}) {
     const fs::path path = folder / fmt::format("cut{}.vdb", size);
     ASSERT_TRUE(writeFileAtomic(path, std::string_view(whole).substr(0, size)));
     expectInputError(path, "truncated");
@@ -203,7 +215,8 @@ TEST(VdbImport, TruncatedAnywhereIsAnError) {
 
 TEST(VdbImport, AStreamedFileIsReadAndItsTruncationNoticed) {
   auto g = fog("density");
-  for (int i = 0; i < 500; ++i) g->tree().setValue(openvdb::Coord(i * 7 % 50, i * 3 % 40, i % 30), 1.0f + static_cast<float>(i));
+  for (int i = 0; i < 500; ++i)
+    g->tree().setValue(openvdb::Coord(i * 7 % 50, i * 3 % 40, i % 30), 1.0f + static_cast<float>(i));
   const fs::path path = test::scratchFolder() / "stream.vdb";
   {
     std::ofstream out(path, std::ios::binary);
@@ -277,7 +290,8 @@ TEST(VdbImport, TransformsAreHonouredOrRefused) {
   EXPECT_NEAR(r->grid->voxelSize, std::sqrt(1.25), 1e-12);
   EXPECT_LT(glm::determinant(glm::dmat3(r->grid->worldFromIndex)), 0);
 
-  g->setTransform(openvdb::math::Transform::createFrustumTransform(openvdb::BBoxd(openvdb::Vec3d(0), openvdb::Vec3d(100)), 0.3, 10.0));
+  g->setTransform(openvdb::math::Transform::createFrustumTransform(
+      openvdb::BBoxd(openvdb::Vec3d(0), openvdb::Vec3d(100)), 0.3, 10.0));
   expectInputError(writeVdb({g}), "not affine");
 }
 

@@ -30,7 +30,9 @@ Result<void> expand(const std::string& path, std::vector<std::string>& files, st
   std::istringstream lines(text);
   std::string line;
   for (int n = 1; std::getline(lines, line); ++n) {
-    if (line.rfind("#include \"", 0) == 0) {
+    if (line.rfind("#include \"renderer/", 0) == 0) {
+      out += "\n";  // for C++, inside #ifdef __cplusplus of a shared header
+    } else if (line.rfind("#include \"", 0) == 0) {
       const std::size_t end = line.find('"', 10);
       PILEUS_CHECK(expand(line.substr(10, end - 10), files, seen, out));
       out += fmt::format("#line {} {}\n", n + 1, number);

@@ -1,5 +1,6 @@
 #include "renderer/residency/tile_lists.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "renderer/shaders/shared/bindings.h"
@@ -16,6 +17,7 @@ void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds) {
   };
   std::vector<int> offsets(std::size_t(grid_.x * grid_.y) + 1, 0);
   for (const PixelBounds& b : bounds) each(b, [&](std::size_t tile) { ++offsets[tile + 1]; });
+  longest_ = *std::max_element(offsets.begin(), offsets.end());
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
   std::vector<int> items(std::size_t(offsets.back())), at(offsets.begin(), offsets.end() - 1);
   for (std::size_t i = 0; i < bounds.size(); ++i) each(bounds[i], [&](std::size_t tile) { items[std::size_t(at[tile]++)] = int(i); });

@@ -18,9 +18,11 @@ class TileLists {
   /// Item i is bounds[i]; lists keep the order of the items.
   void build(ivec2 size, std::span<const PixelBounds> bounds);
   void bind(gl::Program& program) const;
+  int longest() const { return longest_; }  ///< items in the fullest tile
 
  private:
   ivec2 grid_{1};
+  int longest_ = 0;
   gl::Buffer offsets_{"tile offsets"}, items_{"tile items"};
 };
 

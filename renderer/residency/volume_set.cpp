@@ -50,6 +50,8 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
   if (content != content_ || generation_ == ~std::uint64_t(0)) {
     instances_ = instances;
     content_ = content;
+    shapes_ = 0;
+    for (const volume::Instance& i : instances_) shapes_ |= i.shape == volume::Shape::Grid ? 1 : 2;
     generation_ = ~std::uint64_t(0) - 1;
   }
   std::vector<volume::GridPtr> grids;

@@ -18,10 +18,13 @@ class VolumeSet {
   /// Records and bricks to their binding points; atlas uniforms into the program.
   void bind(const BrickPool& pool, gl::Program& program) const;
   const volume::InstanceList& instances() const { return instances_; }
+  /// Variant constant SHAPES of lib/volume.glsl.
+  int shapes() const { return shapes_; }
 
  private:
   volume::InstanceList instances_;
   Key content_;
+  int shapes_ = 0;
   std::uint64_t generation_ = ~std::uint64_t(0);
   gl::Buffer records_{"volume records"};
 };

@@ -1,5 +1,7 @@
 #include "renderer/scene/camera.h"
 
+#include <algorithm>
+
 namespace pileus::scene {
 
 glm::dmat3 basis(const Camera& camera) {

@@ -47,7 +47,8 @@ Result<void> ExtinctionPass::dispatch(const Gpu& gpu) {
                                {"BASIS", r.shadow.y},
                                {"BASIS_FLOATS", options_.coefficients},
                                {"STORES", hasMetric ? 1 << r.metric.kind.x : 1},
-                               {"STORE", r.coefficients.kind.x}};
+                               {"STORE", r.coefficients.kind.x},
+                               {"SHAPES", set_.shapes()}};
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_map.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);

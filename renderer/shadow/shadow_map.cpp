@@ -1,6 +1,7 @@
 #include "renderer/shadow/shadow_map.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace pileus::shadow {
 namespace {
@@ -42,7 +43,9 @@ gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) 
 }
 
 gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
-  int metric = 4, basis = 1, stores = 0, kinds = 0;
+  int metricFloatsNeeded = 4, basis = 1, stores = 0, kinds = 0;
+  std::optional<ivec4> common;  // metric, its count, basis, coefficients of all mapped lights
+  bool uniform = true;
   for (const ShadowedLight& l : lights) {
     if (!l.shadow) {
       kinds |= 1;
@@ -53,14 +56,23 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       continue;
     }
     kinds |= 2;
+    const gpu::LightRecord r = makeRecord(l.light, l.shadow.get());
+    const ivec4 choice(r.shadow.w, r.items.x, r.shadow.y, r.shadow.z);
+    uniform = uniform && (!common || *common == choice);
+    common = choice;
     basis = std::max(basis, l.shadow->coefficients);
-    if (l.shadow->block) stores |= 1 << int(l.shadow->block->texels());
-    if (l.shadow->metric && l.shadow->metric->block) {
-      metric = std::max(metric, metricFloats(l.shadow->metric->options));
-      stores |= 1 << int(l.shadow->metric->block->texels());
+    stores |= 1 << r.coefficients.kind.x;
+    if (r.shadow.w != METRIC_NONE) {
+      metricFloatsNeeded = std::max(metricFloatsNeeded, metricFloats(l.shadow->metric->options));
+      stores |= 1 << r.metric.kind.x;
     }
   }
-  return {{"METRIC_FLOATS", metric}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}};
+  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}};
+  if (uniform && common) {
+    const ivec4 c = *common;
+    defines.insert(defines.end(), {{"UNIFORM_MAPS", 1}, {"METRIC", c.x}, {"METRIC_COUNT", c.y}, {"BASIS", c.z}, {"COEFFICIENTS", c.w}});
+  }
+  return defines;
 }
 
 }  // namespace pileus::shadow

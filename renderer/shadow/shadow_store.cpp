@@ -64,6 +64,7 @@ struct ShadowStoreState {
     while (glGetError() != GL_NO_ERROR) {
     }
     gl::Texture grown(GL_TEXTURE_2D_ARRAY, kFormats[kind], size, kLabels[kind]);
+    grown.filter(GL_LINEAR);
     if (glGetError() == GL_OUT_OF_MEMORY) return fail(Code::Gpu, "out of GPU memory: {} MiB for shadow maps", bytes >> 20);
     if (a.texture) glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, grown.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, old.x, old.y, old.z);
     a.texture = std::move(grown);

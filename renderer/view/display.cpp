@@ -34,7 +34,7 @@ struct Display::Impl {
   GLuint framebuffer = 0, vertices = 0;
 
   Result<Compiled*> transform(const image::ColorConfig& config, const DisplaySettings& s) {
-    const std::string key = fmt::format("{}|{}|{}", fmt::ptr(&config), s.display, s.view);
+    const std::string key = fmt::format("{}|{}|{}", static_cast<const void*>(&config), s.display, s.view);
     if (const auto it = compiled.find(key); it != compiled.end()) return &it->second;
     PILEUS_TRY(const image::GpuTransform gpu, config.gpuTransform(s.display, s.view));
     Compiled c;

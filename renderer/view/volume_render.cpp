@@ -8,6 +8,8 @@
 namespace pileus::view {
 namespace {
 
+const scene::Light kNoLight{scene::LightKind::Sun, {0, 1, 0}, vec3(0.0f), 0};
+
 /// Pixels each instance may touch; the whole picture where a corner is beside or behind the eye.
 std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance> instances, const RenderOptions& o) {
   const glm::dmat3 axes = scene::basis(o.camera);
@@ -78,6 +80,7 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
     records.back().items.y = marched_[i].x;
     records.back().items.z = marched_[i].y;
   }
+  if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
   records_.assign(std::span<const gpu::LightRecord>(records));
   do {
     PILEUS_CHECK(dispatch(gpu));
@@ -91,7 +94,10 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
 }
 
 Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, shadow::lookupDefines(lights_)));
+  constexpr int kInRegisters = 4;
+  gl::Defines defines = shadow::lookupDefines(lights_);
+  defines.insert(defines.end(), {{"SHAPES", set_.shapes()}, {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)}, {"OVERFLOW", tiles_.longest() > kInRegisters}});
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);
@@ -107,7 +113,7 @@ Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   program->set("back", vec3(axes[2]));
   program->set("pixelAngle", float(2 * th / options_.size.y));
   program->set("stepScale", float(options_.stepScale));
-  program->set("lightCount", int(lights_.size()));
+  program->set("lightCount", std::max(int(lights_.size()), 1));
   program->set("sampleIndex", picture_->samples);
   program->set("samples", options_.samples);
   program->set("size", options_.size);

@@ -1,8 +1,14 @@
 // Placed volumes and their voxels in the brick atlas.
+// llvmpipe runs both sides of every branch and tests a loop's end only after its body, so hot code here is free of branches, loops are
+// do-while, and what the scene does not hold is left out by the variant: SHAPES has bit 0 for grids and bit 1 for analytic shapes.
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"
 #include "lib/intersect.glsl"
+
+#ifndef SHAPES
+#define SHAPES 3
+#endif
 
 layout(std430, binding = BIND_VOLUMES) readonly buffer VolumeBuffer { VolumeRecord volumes[]; };
 layout(std430, binding = BIND_LEVELS) readonly buffer LevelBuffer { LevelRecord levels[]; };
@@ -11,101 +17,132 @@ layout(binding = UNIT_ATLAS) uniform sampler3D brickAtlas;
 uniform ivec4 atlasSlots;  // xyz: slots along each axis
 const float kBrick = 16.0, kStored = 18.0;
 
-// The line o + t d in a volume's local space.
-struct LocalRay {
-  vec3 o, d;
+// A line o + t d through one mip level of a volume, everything a sample needs in registers.
+struct VolumeRay {
+  vec3 o, d;         // level voxel coordinates (local space for an analytic shape)
+  ivec3 bricks;      // lattice of the level; 1 1 1 for an analytic shape
+  int pages;         // its first page
+  float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t
+  bool analytic;
 };
-
-LocalRay localRay(int v, vec3 o, vec3 d) {
-  mat4 m = volumes[v].localFromWorld;
-  return LocalRay((m * vec4(o, 1.0)).xyz, (m * vec4(d, 0.0)).xyz);
-}
-
-vec2 intersectVolume(int v, LocalRay r) {
-  if (volumes[v].shape.x == SHAPE_BALL) return intersectBall(r.o, r.d);
-  return intersectBox(r.o, r.d, volumes[v].boundsMin.xyz, volumes[v].boundsMax.xyz);
-}
-
-uvec4 pageAt(LevelRecord level, ivec3 b) {
-  if (any(lessThan(b, ivec3(0))) || any(greaterThanEqual(b, level.bricks.xyz))) return uvec4(PAGE_CONSTANT, 0u, 0u, 0u);
-  return pages[level.bricks.w + (b.z * level.bricks.y + b.y) * level.bricks.x + b.x];
-}
-
-// Density at q in the level's own voxel coordinates inside brick b.
-float sampleBrick(uvec4 page, vec3 q, ivec3 b) {
-  float offset = uintBitsToFloat(page.y);
-  if (page.x == PAGE_CONSTANT) return offset;
-  int s = int(page.x);
-  ivec3 slot = ivec3(s % atlasSlots.x, (s / atlasSlots.x) % atlasSlots.y, s / (atlasSlots.x * atlasSlots.y));
-  vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;  // apron of one, texel centres at one half
-  return offset + uintBitsToFloat(page.z) * textureLod(brickAtlas, texel / (vec3(atlasSlots.xyz) * kStored), 0.0).r;
-}
-
-// Level coordinates of a level-0 position (both relative to the lattice).
-vec3 levelPosition(vec3 p, int level) { return (p + 0.5) * exp2(-float(level)) - 0.5; }
-
-// Density of a grid at local position p; `level` is clamped to what is resident.
-float sampleGrid(int v, vec3 p, int level) {
-  level = clamp(level, volumes[v].shape.w, volumes[v].shape.z - 1);
-  LevelRecord record = levels[volumes[v].shape.y + level];
-  vec3 q = levelPosition(p, level);
-  ivec3 b = ivec3(floor(q / kBrick));
-  return sampleBrick(pageAt(record, b), q, b);
-}
-
-// Extinction sigma_t [1/m] on a local ray at t. `skipTo`: the next t that can be non-zero, > t where the brick here is empty.
-float sigmaOnRay(int v, LocalRay r, float t, int level, out float skipTo) {
-  skipTo = t;
-  float extinction = volumes[v].boundsMin.w;
-  if (volumes[v].shape.x != SHAPE_GRID) return extinction * volumes[v].boundsMax.w;
-  level = clamp(level, volumes[v].shape.w, volumes[v].shape.z - 1);
-  LevelRecord record = levels[volumes[v].shape.y + level];
-  vec3 q = levelPosition(r.o + t * r.d, level);
-  ivec3 b = ivec3(floor(q / kBrick));
-  uvec4 page = pageAt(record, b);
-  if (page.x == PAGE_CONSTANT && page.y == 0u) {
-    float scale = exp2(-float(level));
-    // Climb while the coarser brick is empty too: its positions are a superset of ours.
-    for (int up = level + 1; up < min(level + 3, volumes[v].shape.z); ++up) {
-      LevelRecord coarse = levels[volumes[v].shape.y + up];
-      vec3 qc = levelPosition(r.o + t * r.d, up);
-      ivec3 bc = ivec3(floor(qc / kBrick));
-      uvec4 pc = pageAt(coarse, bc);
-      if (pc.x != PAGE_CONSTANT || pc.y != 0u) break;
-      q = qc, b = bc, scale *= 0.5;
-    }
-    vec3 d = r.d * scale;
-    vec3 wall = vec3(b) * kBrick + mix(vec3(0.0), vec3(kBrick), greaterThan(d, vec3(0.0)));
-    vec3 exits = mix((wall - q) / d, vec3(1e30), lessThan(abs(d), vec3(1e-20)));
-    skipTo = t + max(min(min(exits.x, exits.y), exits.z), 0.0);
-    return 0.0;
-  }
-  return max(0.0, extinction * sampleBrick(page, q, b));
-}
 
 // The mip whose voxels match a footprint [m].
 int levelFor(int v, float footprint) {
   if (volumes[v].shape.x != SHAPE_GRID) return 0;
-  return clamp(int(floor(log2(max(footprint / volumes[v].detail.x, 1.0)))) + volumes[v].shape.w, 0, volumes[v].shape.z - 1);
+  return clamp(int(floor(log2(max(footprint / volumes[v].detail.x, 1.0)))) + volumes[v].shape.w, volumes[v].shape.w, volumes[v].shape.z - 1);
 }
 
 // March step [m] that resolves volume v at a footprint [m].
 float stepFor(int v, float footprint) { return max(volumes[v].detail.x, volumes[v].shape.x == SHAPE_GRID ? footprint : 0.0); }
 
+// The part (t0, t1) of the line inside volume v, and the line ready for sampling at a mip level.
+vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
+  mat4 m = volumes[v].localFromWorld;
+  vec3 lo = (m * vec4(o, 1.0)).xyz, ld = (m * vec4(d, 0.0)).xyz;
+  int shape = volumes[v].shape.x;
+  r.analytic = shape != SHAPE_GRID;
+  r.extinction = volumes[v].boundsMin.w * (r.analytic ? volumes[v].boundsMax.w : 1.0);
+  r.o = lo, r.d = ld;
+  r.bricks = ivec3(1);
+  r.pages = 0;
+  vec2 hit = intersectBox(lo, ld, volumes[v].boundsMin.xyz, volumes[v].boundsMax.xyz);
+#if SHAPES & 2
+  if (shape == SHAPE_BALL) hit = intersectBall(lo, ld);
+#endif
+#if SHAPES & 1
+  if (!r.analytic) {
+    level = clamp(level, volumes[v].shape.w, volumes[v].shape.z - 1);
+    LevelRecord record = levels[volumes[v].shape.y + level];
+    r.bricks = record.bricks.xyz;
+    r.pages = record.bricks.w;
+    // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
+    float s = exp2(-float(level));
+    r.o = (lo + 0.5) * s - 0.5;
+    r.d = ld * s;
+  }
+#endif
+  return hit;
+}
+
+vec2 extentOfVolume(int v, vec3 o, vec3 d) {
+  VolumeRay r;
+  return enterVolume(v, o, d, 0, r);
+}
+
+// The brick that answers for level position q. Positions in (-1, 0) exist on coarser levels (a coarse voxel's centre lies half a voxel
+// in): the first brick's near apron holds what they need.
+ivec3 brickAt(vec3 q) { return ivec3(floor(mix(q, max(q, vec3(0.0)), greaterThan(q, vec3(-1.0))) / kBrick)); }
+
+uvec4 pageOf(VolumeRay r, ivec3 b) {
+  bool inside = all(greaterThanEqual(b, ivec3(0))) && all(lessThan(b, r.bricks)) && !r.analytic;
+  uvec4 page = pages[inside ? r.pages + (b.z * r.bricks.y + b.y) * r.bricks.x + b.x : 0];
+  return inside ? page : uvec4(PAGE_CONSTANT, 0u, 0u, 0u);
+}
+
+// Density at level position q in brick b: constant bricks have scale 0 and any slot.
+float sampleBrick(uvec4 page, vec3 q, ivec3 b) {
+  bool constant = page.x == PAGE_CONSTANT;
+  int s = constant ? 0 : int(page.x);
+  ivec3 slot = ivec3(s % atlasSlots.x, (s / atlasSlots.x) % atlasSlots.y, s / (atlasSlots.x * atlasSlots.y));
+  vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;  // apron of one, texel centres at one half
+  float value = textureLod(brickAtlas, texel / (vec3(atlasSlots.xyz) * kStored), 0.0).r;
+  return uintBitsToFloat(page.y) + (constant ? 0.0 : uintBitsToFloat(page.z) * value);
+}
+
+// Density of a grid at level-0 position p, for those who sample points.
+float sampleGrid(int v, vec3 p, int level) {
+  level = clamp(level, volumes[v].shape.w, volumes[v].shape.z - 1);
+  LevelRecord record = levels[volumes[v].shape.y + level];
+  VolumeRay r = VolumeRay((p + 0.5) * exp2(-float(level)) - 0.5, vec3(0.0), record.bricks.xyz, record.bricks.w, 1.0, false);
+  ivec3 b = brickAt(r.o);
+  return sampleBrick(pageOf(r, b), r.o, b);
+}
+
+// Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
+float emptyUntil(VolumeRay r, float t) {
+#if SHAPES & 1
+  vec3 q = r.o + t * r.d;
+  ivec3 b = brickAt(q);
+  uvec4 page = pageOf(r, b);
+  vec3 wall = (vec3(b) + vec3(greaterThan(r.d, vec3(0.0)))) * kBrick;
+  vec3 exits = mix((wall - q) / r.d, vec3(1e30), lessThan(abs(r.d), vec3(1e-20)));
+  bool empty = page.x == PAGE_CONSTANT && page.y == 0u && !r.analytic;
+  return empty ? t + max(min(min(exits.x, exits.y), exits.z), 0.0) : t;
+#else
+  return t;
+#endif
+}
+
+// sigma_t [1/m] at t.
+float sigmaAt(VolumeRay r, float t) {
+#if SHAPES & 1
+  vec3 q = r.o + t * r.d;
+  ivec3 b = brickAt(q);
+  float density = sampleBrick(pageOf(r, b), q, b);
+  return max(r.extinction * (r.analytic ? 1.0 : density), 0.0);
+#else
+  return r.extinction;
+#endif
+}
+
+// The first of the steps t0 + (i + offset) ds at or behind t, but not before i.
+int stepAtOrBehind(int i, float t, float t0, float offset, float ds) { return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6))); }
+
 // Optical depth of volume v from p along the unit direction d, midpoint march, steps of `scale` details.
 float opticalDepth(int v, vec3 p, vec3 d, float scale) {
-  LocalRay r = localRay(v, p, d);
-  vec2 hit = intersectVolume(v, r);
-  float t0 = max(hit.x, 0.0), t1 = hit.y;
-  if (t0 >= t1) return 0.0;
-  if (volumes[v].shape.x != SHAPE_GRID) return volumes[v].boundsMin.w * volumes[v].boundsMax.w * (t1 - t0);
+  VolumeRay r;
+  vec2 hit = enterVolume(v, p, d, 0, r);
+  float t0 = max(hit.x, 0.0), t1 = max(hit.y, t0);
+  if (r.analytic) return r.extinction * (t1 - t0);
   int n = int(clamp(ceil((t1 - t0) / (volumes[v].detail.x * scale)), 1.0, 16384.0));
   float ds = (t1 - t0) / float(n), sum = 0.0;
-  for (int i = 0; i < n;) {
-    float skipTo;
+  if (ds <= 0.0) return 0.0;
+  int i = 0;
+  do {
     float t = t0 + (float(i) + 0.5) * ds;
-    sum += sigmaOnRay(v, r, t, 0, skipTo);
-    i = max(i + 1, int(min((skipTo - t0) / ds + 0.5, 1e6)));
-  }
+    int next = stepAtOrBehind(i, emptyUntil(r, t), t0, 0.5, ds);
+    sum += next == i ? sigmaAt(r, t) : 0.0;
+    i = max(next, i + 1);
+  } while (i < n);
   return sum * ds;
 }

@@ -17,40 +17,52 @@ void main() {
   ivec2 texel = regionOrigin + ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(texel, regionEnd))) return;
   BlockRecord block = lights[0].coefficients;
-  vec2 uv = (vec2(texel) + 0.5) / float(block.place.z);
+  float edge = float(block.place.z);
+  vec2 uv = (vec2(texel) + 0.5) / edge;
   vec3 o = (lights[0].worldFromLight * vec4(uv, 0.0, 1.0)).xyz;
   vec3 end = (lights[0].worldFromLight * vec4(uv, 1.0, 1.0)).xyz;
   float rayLength = length(end - o);
   vec3 d = (end - o) / rayLength;
   float m[METRIC_FLOATS];
-  if (METRIC != METRIC_NONE) loadMetric(0, texel, m);
+  for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
+  bool mixed = false;
+#if METRIC != METRIC_NONE
+  loadMetric(0, uv, m);
+#if METRIC == METRIC_INTERVAL
+  int count = intervalCount(m);
+  for (int tap = 1; tap < 4; ++tap) {
+    float neighbour[METRIC_FLOATS];
+    loadMetric(0, uv + vec2(float(tap & 1), float(tap >> 1)) / edge, neighbour);
+    mixed = mixed || intervalCount(neighbour) != count;
+  }
+#endif
+#endif
   float c[BASIS_FLOATS];
   for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
 
   ivec2 range = tileRange(texel);
   for (int item = range.x; item < range.y; ++item) {
     int v = tileItems[item];
-    LocalRay r = localRay(v, o, d);
-    vec2 hit = intersectVolume(v, r);
+    VolumeRay r;
+    vec2 hit = enterVolume(v, o, d, levelFor(v, footprint), r);
     float t0 = max(hit.x, 0.0), t1 = min(hit.y, rayLength);
     if (t0 >= t1) continue;
-    int level = levelFor(v, footprint);
-    int n = volumes[v].shape.x == SHAPE_GRID ? int(clamp(ceil((t1 - t0) / stepFor(v, footprint)), 1.0, 8192.0)) : 64;
+    int n = r.analytic ? 64 : int(clamp(ceil((t1 - t0) / stepFor(v, footprint)), 1.0, 8192.0));
     float ds = (t1 - t0) / float(n);
-    float u0 = 0.0;
-    int known = -1;  // u0 is u at the start of this step
-    for (int i = 0; i < n;) {
-      float t = t0 + (float(i) + 0.5) * ds, skipTo;
-      float sigma = sigmaOnRay(v, r, t, level, skipTo);
-      if (sigma > 0.0) {
-        if (known != i) u0 = metricU(METRIC, METRIC_COUNT, m, clamp((t - 0.5 * ds) / rayLength, 0.0, 1.0));
-        float u1 = metricU(METRIC, METRIC_COUNT, m, clamp((t + 0.5 * ds) / rayLength, 0.0, 1.0));
-        projectStep(BASIS, c, sigma * ds, u0, u1);
-        u0 = u1;
-        known = i + 1;
-      }
-      i = max(i + 1, int(min((skipTo - t0) / ds + 0.5, 1e6)));
-    }
+    int i = 0;
+    do {
+      // On to the next step with something in it, then project it: llvmpipe would project the empty ones too.
+      float sigma = 0.0, t;
+      do {
+        t = t0 + (float(i) + 0.5) * ds;
+        int next = stepAtOrBehind(i, emptyUntil(r, t), t0, 0.5, ds);
+        sigma = next == i ? sigmaAt(r, t) : 0.0;
+        i = max(next, i + 1);
+      } while (sigma <= 0.0 && i < n);
+      float u0 = metricU(METRIC, METRIC_COUNT, m, clamp((t - 0.5 * ds) / rayLength, 0.0, 1.0));
+      float u1 = metricU(METRIC, METRIC_COUNT, m, clamp((t + 0.5 * ds) / rayLength, 0.0, 1.0));
+      projectStep(BASIS, c, sigma * ds, u0, u1);
+    } while (i < n);
   }
   for (int layer = 0; layer < (BASIS_FLOATS + 3) / 4; ++layer) {
     vec4 v = vec4(0.0);
@@ -58,6 +70,7 @@ void main() {
 #if STORE == STORE_HALF
     v = clamp(v, -65504.0, 65504.0);
 #endif
+    if (layer == 0) v[mixedChannel(BASIS_FLOATS)] = withMixedBit(v[mixedChannel(BASIS_FLOATS)], mixed, STORE);
     imageStore(target, ivec3(block.place.xy + texel, block.place.w + layer), v);
   }
 }

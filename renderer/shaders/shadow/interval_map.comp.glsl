@@ -13,12 +13,12 @@ layout(rgba16, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
 #endif
 uniform ivec2 regionOrigin, regionEnd;
 
-vec3 rayOrigin, rayDirection;
-float rayLength;
+vec3 rayOrigin = vec3(0.0), rayDirection = vec3(0.0);
+float rayLength = 1.0;
 
 vec2 extentOf(int v) {
-  vec2 hit = intersectVolume(v, localRay(v, rayOrigin, rayDirection));
-  return clamp(hit / rayLength, 0.0, 1.0);
+  vec2 hit = extentOfVolume(v, rayOrigin, rayDirection);
+  return hit.x < hit.y ? clamp(hit / rayLength, 0.0, 1.0) : vec2(1.0);
 }
 
 void main() {

@@ -1,5 +1,7 @@
 // Single scattering, front to back: L = integral of T_cam sigma_s p E T_light ds, one sample per pixel and dispatch, averaged into the
 // target. Overlapping volumes are marched together; the step is the smallest of those active.
+// Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one),
+// SHAPES, LIGHT_KINDS (bit 1: extinction maps, bit 2: ray-marched shadows) and those of lib/shadow_map.glsl.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
 #include "lib/shadow_map.glsl"
@@ -13,32 +15,22 @@ uniform ivec2 regionOrigin, regionEnd, size;
 uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
 uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
 uniform float stepScale;
-uniform int lightCount, sampleIndex, samples;
-
-const int kActive = 6;  // volumes of an overlap kept in registers; more are visited one by one
-int activeVolume[kActive];
-LocalRay activeRay[kActive];
-int activeLevel[kActive];
+uniform int lightCount, sampleIndex, samples;  // at least one light (a black one, if need be)
 
 float lightTau(int i, vec3 p) {
-  int kind = lights[i].shadow.x;
+  float tau = 0.0;
 #if LIGHT_KINDS & 2
-  if (kind == SHADOW_EXTINCTION) return lookupTau(i, p);
+  if (lights[i].shadow.x == SHADOW_EXTINCTION) tau = lookupTau(i, p);
 #endif
 #if LIGHT_KINDS & 4
-  if (kind == SHADOW_RAY_MARCH) {
-    float tau = 0.0;
-    for (int k = 0; k < lights[i].items.z && tau < 30.0; ++k)
-      tau += opticalDepth(shadowItems[lights[i].items.y + k], p, lights[i].towards.xyz, lights[i].extent.y);
-    return tau;
-  }
+  int count = lights[i].shadow.x == SHADOW_RAY_MARCH ? lights[i].items.z : 0;
+  for (int k = 0; k < count && tau < 30.0; ++k) tau += opticalDepth(shadowItems[lights[i].items.y + k], p, lights[i].towards.xyz, lights[i].extent.y);
 #endif
-  return 0.0;
+  return tau;
 }
 
-// In-scattered radiance per unit length of one volume: sigma_s p E summed over the lights needs E T per light once, so it is computed
-// by the caller; this is the volume's factor.
-vec3 scatterFactor(int v, float sigma, float cosine) { return sigma * volumes[v].albedo.rgb * phaseHg(cosine, volumes[v].albedo.w); }
+// Scattering per unit length and solid angle of volume v: sigma_s p.
+vec3 scattering(vec4 albedo, float sigma, float cosine) { return sigma * albedo.rgb * phaseHg(cosine, albedo.w); }
 
 void main() {
   ivec2 pixel = regionOrigin + ivec2(gl_GlobalInvocationID.xy);
@@ -48,101 +40,91 @@ void main() {
   vec3 d = normalize(ndc.x * right - ndc.y * up - back);
   ivec2 range = tileRange(pixel);
 
-  float T = 1.0;
+  VolumeRay rays[ACTIVE];
+  vec4 albedo[ACTIVE];
+  float sigmas[ACTIVE];
+  float T = 1.0, t = 0.0, next = 0.0;
   vec3 L = vec3(0.0);
-  float t = 0.0;
-  for (int guard = 0; guard < 65536; ++guard) {
+  bool inMedia = range.x < range.y;
+  while (inMedia) {
     // Who is active just after t, and until when does that stay so?
-    float next = 1e30;
-    int count = 0, lastStored = range.y;
-    bool overflow = false;
+    next = 1e30;
+    int count = 0, rest = range.y;
     float ds = 1e30;
     for (int item = range.x; item < range.y; ++item) {
       int v = tileItems[item];
-      LocalRay lr = localRay(v, eye, d);
-      vec2 hit = intersectVolume(v, lr);
-      if (hit.x >= hit.y || hit.y <= t) continue;
-      if (hit.x > t) {
-        next = min(next, hit.x);
-        continue;
-      }
-      next = min(next, hit.y);
       float footprint = pixelAngle * t;
-      ds = min(ds, stepFor(v, footprint));
-      if (count < kActive) {
-        activeVolume[count] = v;
-        activeRay[count] = lr;
-        activeLevel[count] = levelFor(v, footprint);
-        ++count;
-      } else if (!overflow) {
-        overflow = true;
-        lastStored = item;
+      VolumeRay ray;
+      vec2 hit = enterVolume(v, eye, d, levelFor(v, footprint), ray);
+      bool ahead = hit.x < hit.y && hit.y > t, inside = ahead && hit.x <= t;
+      next = ahead ? min(next, inside ? hit.y : hit.x) : next;
+      ds = inside ? min(ds, stepFor(v, footprint)) : ds;
+      for (int k = 0; k < ACTIVE; ++k) {
+        if (inside && count == k) {
+          rays[k] = ray;
+          albedo[k] = volumes[v].albedo;
+        }
       }
+      rest = inside && count == ACTIVE ? min(rest, item) : rest;
+      count += inside ? 1 : 0;
     }
     if (next >= 1e30) break;
-    if (count == 0) {
-      t = next;
-      continue;
-    }
-    ds *= stepScale;
-    int n = int(clamp(ceil((next - t) / ds), 1.0, 8192.0));
-    ds = (next - t) / float(n);
-    float start = t;
-    for (int i = 0; i < n;) {
-      float at = start + (float(i) + r.z) * ds;
-      float sigma = 0.0, skip = 1e30;
-      float sigmas[kActive];
-      for (int k = 0; k < kActive; ++k) {
-        if (k >= count) break;
-        float skipTo;
-        sigmas[k] = sigmaOnRay(activeVolume[k], activeRay[k], at, activeLevel[k], skipTo);
-        sigma += sigmas[k];
-        skip = min(skip, skipTo);
-      }
-      if (overflow) {
-        skip = at;
-        for (int item = lastStored; item < range.y; ++item) {
-          int v = tileItems[item];
-          LocalRay lr = localRay(v, eye, d);
-          vec2 hit = intersectVolume(v, lr);
-          float unused;
-          if (hit.x < at && hit.y > at) sigma += sigmaOnRay(v, lr, at, levelFor(v, pixelAngle * start), unused);
-        }
-      }
-      if (sigma > 0.0) {
-        vec3 p = eye + at * d;
-        float step = exp(-sigma * ds);
-        vec3 source = vec3(0.0);
-        for (int l = 0; l < lightCount; ++l) {
-          // Light travels along -towards; scattering into -d: cosine between the two directions of travel.
+    if (count > 0) {
+      ds *= stepScale;
+      int n = int(clamp(ceil((next - t) / ds), 1.0, 8192.0));
+      ds = (next - t) / float(n);
+      int i = 0;
+      do {
+        // On to the next sample with something in it.
+        float sigma, at;
+        do {
+          at = t + (float(i) + r.z) * ds;
+          float empty = 1e30;
+          for (int k = 0; k < ACTIVE; ++k) empty = k < count ? min(empty, emptyUntil(rays[k], at)) : empty;
+#if OVERFLOW
+          empty = rest < range.y ? at : empty;
+#endif
+          int to = stepAtOrBehind(i, empty, t, r.z, ds);
+          sigma = 0.0;
+          for (int k = 0; k < ACTIVE; ++k) {
+            sigmas[k] = k < count && to == i ? sigmaAt(rays[k], at) : 0.0;
+            sigma += sigmas[k];
+          }
+#if OVERFLOW
+          for (int item = rest; item < range.y; ++item) {
+            VolumeRay ray;
+            vec2 hit = enterVolume(tileItems[item], eye, d, levelFor(tileItems[item], pixelAngle * t), ray);
+            if (hit.x <= t && hit.y > t) sigma += sigmaAt(ray, at);
+          }
+#endif
+          i = max(to, i + 1);
+        } while (sigma <= 0.0 && i < n);
+
+        vec3 p = eye + at * d, source = vec3(0.0);
+        int l = 0;
+        do {
+          // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
           float cosine = dot(lights[l].towards.xyz, d);
           vec3 factor = vec3(0.0);
-          for (int k = 0; k < kActive; ++k) {
-            if (k >= count) break;
-            if (sigmas[k] > 0.0) factor += scatterFactor(activeVolume[k], sigmas[k], cosine);
+          for (int k = 0; k < ACTIVE; ++k) factor += k < count ? scattering(albedo[k], sigmas[k], cosine) : vec3(0.0);
+#if OVERFLOW
+          for (int item = rest; item < range.y; ++item) {
+            VolumeRay ray;
+            vec2 hit = enterVolume(tileItems[item], eye, d, levelFor(tileItems[item], pixelAngle * t), ray);
+            if (hit.x <= t && hit.y > t) factor += scattering(volumes[tileItems[item]].albedo, sigmaAt(ray, at), cosine);
           }
-          if (overflow) {
-            for (int item = lastStored; item < range.y; ++item) {
-              int v = tileItems[item];
-              LocalRay lr = localRay(v, eye, d);
-              vec2 hit = intersectVolume(v, lr);
-              float unused;
-              if (hit.x < at && hit.y > at)
-                factor += scatterFactor(v, sigmaOnRay(v, lr, at, levelFor(v, pixelAngle * start), unused), cosine);
-            }
-          }
+#endif
           source += factor * lights[l].emitted.rgb * exp(-lightTau(l, p));
-        }
+          ++l;
+        } while (l < lightCount);
         // Exact over the step for a constant source and extinction.
-        float weight = sigma * ds < 1e-4 ? ds * (1.0 - 0.5 * sigma * ds) : (1.0 - step) / sigma;
-        L += T * weight * source;
+        float step = exp(-sigma * ds);
+        L += T * (sigma * ds < 1e-4 ? ds * (1.0 - 0.5 * sigma * ds) : (1.0 - step) / max(sigma, 1e-30)) * source;
         T *= step;
-        if (T < 1e-4) break;
-      }
-      i = max(i + 1, int(min((skip - start) / ds + 1.0 - r.z, 1e6)));
+      } while (i < n && T >= 1e-4);
     }
-    if (T < 1e-4) break;
     t = next;
+    inMedia = T >= 1e-4;
   }
   if (T < 1e-4) T = 0.0;
   vec4 now = vec4(L, 1.0 - T);

@@ -30,12 +30,12 @@ void undo(Editor& e) {
   e.document.endMerge();
   const std::string label = e.document.undoLabel();
   e.document.undo();
-  e.messages.hint("Undone: " + label);
+  e.messages.note("Undone: " + label);
 }
 void redo(Editor& e) {
   const std::string label = e.document.redoLabel();
   e.document.redo();
-  e.messages.hint("Redone: " + label);
+  e.messages.note("Redone: " + label);
 }
 void quit(Editor& e) {
   withSavedDocument(e, [](Editor& editor) { editor.quit = true; });

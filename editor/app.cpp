@@ -1,6 +1,7 @@
 #include "editor/app.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // ClosePopupToLevel: menus close with Esc without keyboard navigation
 
 #include <algorithm>
 
@@ -15,9 +16,13 @@
 namespace pileus::editor {
 namespace {
 
-/// Keys go to the panel under the pointer, unless a dialog or a text field has them.
+constexpr double kSliceMs = 70;  // of refinement between two frames when nothing else happens
+
+/// Keys go to the panel under the pointer, unless a dialog or a text field has them. Esc closes menus and lists.
 void handleKeys(Editor& editor) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool ours = editor.dialogs.anyOpen() || editor.browser.isOpen();
+  if (popup && !ours && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::ClosePopupToLevel(0, false);
   if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening) return;
   for (const KeyPress& key : editor.window->keys()) {
     // Esc ends what is going on before it pauses anything.
@@ -38,9 +43,14 @@ PreviewRequest previewRequest(const Editor& editor) {
 }
 
 void evaluate(Editor& editor) {
-  // Input comes first: while events wait, the picture does.
+  // Several steps a frame, so that drawing the window costs a refinement little; but input comes first: while events wait, the picture does.
+  const Stopwatch clock;
+  while (!editor.window->inputPending()) {
+    editor.preview.step(previewRequest(editor));
+    if (editor.preview.complete() || !editor.preview.wantsFrame() || clock.ms() > kSliceMs) break;
+    editor.window->waitEvents(0);
+  }
   if (editor.window->inputPending()) return;
-  editor.preview.step(previewRequest(editor));
   if (auto outcome = editor.exporter.step()) {
     if (*outcome) editor.messages.info("Exported " + outcome->value().string());
     else editor.messages.error("Not exported: " + outcome->error().message);

@@ -70,7 +70,7 @@ void drawFaults(Editor& editor) {
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted("What could not be understood is kept as far as possible and written back when you save.");
   ImGui::PopTextWrapPos();
-  ImGui::BeginChild("list", {0, editor.theme.px(220)}, true);
+  ImGui::BeginChild("list", {0, editor.theme.px(220)}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
   for (const nodes::Fault& f : d.faults) {
     ImGui::PushStyleColor(ImGuiCol_Text, f.error ? palette::kError : palette::kWarning);
     ImGui::TextUnformatted(f.error ? icon::kError : icon::kWarning);

@@ -150,7 +150,7 @@ void FileBrowser::drawEntries(Editor& editor) {
   const Theme& theme = editor.theme;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kField);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(2), theme.space(2)});
-  ImGui::BeginChild("entries", {0, theme.px(320)}, true);
+  ImGui::BeginChild("entries", {0, theme.px(320)}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
   fs::path into;
   bool chosen = false;
   for (const Entry& entry : entries_) {
@@ -226,7 +226,9 @@ void FileBrowser::draw(Editor& editor) {
     editor.trace.item("browser/replace");
     if (!open_) return ImGui::EndPopup();
   }
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
   if (!request_.kinds.empty() && ImGui::Checkbox("All files", &showAll_)) refresh();
+  ImGui::PopStyleVar();
   const float button = theme.px(110);
   if (!request_.kinds.empty()) ImGui::SameLine();
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * button - theme.space(2));

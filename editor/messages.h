@@ -13,6 +13,8 @@ class Messages {
   void info(std::string text) { set(log::Level::Info, std::move(text)); }
   void warn(std::string text) { set(log::Level::Warning, std::move(text)); }
   void error(std::string text) { set(log::Level::Error, std::move(text)); }
+  /// What was just done, where it can be seen anyway: not logged.
+  void note(std::string text) { level_ = log::Level::Info, text_ = std::move(text), age_.restart(); }
   /// A refusal or hint that is no event of its own: not logged.
   void hint(std::string text) { level_ = log::Level::Warning, text_ = std::move(text), age_.restart(); }
 

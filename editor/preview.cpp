@@ -17,30 +17,32 @@ bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
 
 bool Preview::wantsFrame() const {
   if (current_.view.empty()) return false;
-  if (touched_) return true;
+  if (touched_ || (currentIsDraft_ && complete_)) return true;
   return !complete_ && !paused_ && !report_.waitingForJobs;
+}
+
+void Preview::begin(const PreviewRequest& wanted, bool draft) {
+  if (wanted.view != current_.view) picture_.reset();
+  current_ = wanted;
+  currentIsDraft_ = draft;
+  fresh_ = false;
+  complete_ = false;
+  report_ = {};
+  draftAge_.restart();
 }
 
 void Preview::step(const PreviewRequest& wanted) {
   const Stopwatch clock;
   const bool changed = fresh_ || !sameRequest(wanted, current_);
-  const bool draft = interacting() && !fast_;
   if (touched_ && !interacting()) touched_ = false;
-  if (changed) paused_ = false;
-
-  if (changed || draft != currentIsDraft_) {
+  if (changed) {
+    paused_ = false;
     // An unfinished draft is finished first, unless it takes too long: otherwise a steady drag would never show anything.
-    const bool finishFirst = draft && currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs && wanted.view == current_.view &&
+    const bool finishFirst = currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs && wanted.view == current_.view &&
                              draftAge_.ms() < kDraftPatienceMs;
-    if (!finishFirst) {
-      if (wanted.view != current_.view) picture_.reset();
-      current_ = wanted;
-      currentIsDraft_ = draft;
-      fresh_ = false;
-      complete_ = false;
-      report_ = {};
-      draftAge_.restart();
-    }
+    if (!finishFirst) begin(wanted, !fast_ || fresh_);
+  } else if (currentIsDraft_ && complete_ && !interacting()) {
+    begin(wanted, false);
   }
   lastStepMs_ = 0;
   if (current_.view.empty() || current_.size.x < 1 || current_.size.y < 1) {
@@ -83,7 +85,7 @@ std::string Preview::waitingFor() const {
   if (complete_) return {};
   for (const auto& [name, node] : current_.graph.nodes) {
     const nodes::NodeStatus& status = evaluator_.status(name);
-    if (status.state == nodes::NodeState::Pending && !status.what.empty()) return status.what;
+    if (status.state == nodes::NodeState::Pending && !status.what.empty() && !status.what.starts_with("Waiting for")) return status.what;
   }
   return {};
 }

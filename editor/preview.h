@@ -1,5 +1,6 @@
 #pragma once
-// Keeps the viewport's picture up to date: drafts while something is dragged, then the final picture within a time budget per frame.
+// Keeps the viewport's picture up to date: after each change a draft, then, when nothing is dragged, the final picture within a time
+// budget per frame.
 // The last good picture stays until the new one has something to show. GL thread.
 #include <memory>
 #include <optional>
@@ -34,6 +35,7 @@ class Preview {
 
   bool paused() const { return paused_; }
   bool complete() const { return complete_; }
+  bool settled() const { return complete_ && !currentIsDraft_; }  ///< nothing more will come
   bool draft() const { return draftShown_; }                 ///< the picture shown is a draft
   bool wantsFrame() const;                                   ///< call step() again at once
   bool waiting() const { return !complete_ && report_.waitingForJobs; }  ///< for a background job: a wake-up will come
@@ -52,6 +54,7 @@ class Preview {
 
  private:
   bool interacting() const { return touched_ && rest_.ms() < 150; }
+  void begin(const PreviewRequest& wanted, bool draft);
   void takePicture(bool draft);
 
   nodes::Evaluator evaluator_;

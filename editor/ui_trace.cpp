@@ -27,7 +27,7 @@ void UiTrace::end(const Editor& editor) {
   j["path"] = document.path().string();
   j["undo"] = document.undoLabel();
   j["redo"] = document.redoLabel();
-  j["complete"] = editor.preview.complete() && !editor.preview.draft();
+  j["complete"] = editor.preview.settled();
   j["error"] = editor.preview.error();
   j["exporting"] = editor.exporter.active();
   j["message"] = editor.messages.text();

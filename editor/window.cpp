@@ -137,7 +137,11 @@ bool Window::feed(const InputEvent& e) {
   if (clicked_) return false;
   if (wheeled_ && e.kind != Kind::Wheel) return false;
   switch (e.kind) {
-    case Kind::Move: mouse_ = e.at; break;
+    case Kind::Move:
+      if (!keys_.empty()) return false;
+      moved_ |= mouse_ != e.at;
+      mouse_ = e.at;
+      break;
     case Kind::Button:
       if (!keys_.empty()) return false;
       mouse_ = e.at;
@@ -153,6 +157,8 @@ bool Window::feed(const InputEvent& e) {
       const bool typing = io.WantTextInput && printable(e.code) && !(e.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT));
       if (e.down) {
         const bool modifier = e.code >= GLFW_KEY_LEFT_SHIFT;
+        // Which panel a key belongs to is known one frame after the pointer has come to it.
+        if (moved_ && !modifier) return false;
         if (!typing && !modifier && !keys_.empty()) return false;
         if (!modifier)
           keys_.push_back({e.code, (e.mods & GLFW_MOD_CONTROL) != 0, (e.mods & GLFW_MOD_SHIFT) != 0, (e.mods & GLFW_MOD_ALT) != 0, e.repeat});
@@ -181,7 +187,7 @@ void Window::beginFrame() {
   ImGui_ImplGlfw_NewFrame();
   keys_.clear();
   keysDownNow_.clear();
-  clicked_ = wheeled_ = false;
+  clicked_ = wheeled_ = moved_ = false;
   hadInput_ = !queue_.empty() || resized_ || !dropped_.empty();
   resized_ = false;
   while (!queue_.empty() && feed(queue_.front())) queue_.pop_front();

@@ -64,7 +64,7 @@ class Window {
   bool feed(const InputEvent& event);           ///< false: belongs to the next frame
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
-  bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false;
+  bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false, moved_ = false;
   bool resized_ = true;
   dvec2 mouse_{-1e9};
   bool buttons_[5] = {};

@@ -120,7 +120,9 @@ void drawFooter(const CanvasView& view, const NodePlace& place, const nodes::Nod
 }  // namespace
 
 float footerHeight(const nodes::NodeStatus& s) {
-  const bool any = s.state == nodes::NodeState::Failed || (s.state == nodes::NodeState::Pending && !s.what.empty()) ||
+  // Only the node that works says so; those downstream of it merely wait.
+  const bool works = s.state == nodes::NodeState::Pending && !s.what.empty() && !s.what.starts_with("Waiting for");
+  const bool any = s.state == nodes::NodeState::Failed || works ||
                    (!s.warnings.empty() && s.state != nodes::NodeState::Idle && s.state != nodes::NodeState::Skipped);
   return any ? kFooter + 4 : 0;
 }

@@ -160,7 +160,7 @@ void drawSearch(Editor& editor) {
   if (search.opening) {
     ImGui::OpenPopup(kPopup);
     search.opening = false;
-    const float height = theme.px(60 + 40 * kRows);
+    const float height = theme.px(60 + 40 * std::clamp(static_cast<float>(search.items.size()), 1.0f, kRows));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({std::clamp(search.at.x - theme.px(20), 4.0f, std::max(4.0f, display.x - theme.px(kWidth) - 4)),
                              std::clamp(search.at.y - theme.px(16), 4.0f, std::max(4.0f, display.y - height - 4))});

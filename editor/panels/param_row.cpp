@@ -10,6 +10,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
+#include "editor/widgets.h"
 
 namespace pileus::editor {
 namespace {
@@ -55,7 +56,8 @@ void drawNumber(const Row& row, const ParamValue& value) {
   const bool integer = row.spec.type == ParamType::Int;
   double number = integer ? std::get<int>(value) : std::get<double>(value);
   const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(), number, numbers(row.spec), row.width);
-  after(row, edit, integer ? ParamValue(static_cast<int>(number)) : ParamValue(number));
+  if (integer) after(row, edit, static_cast<int>(number));
+  else after(row, edit, number);
 }
 
 void drawThree(const Row& row, const ParamValue& value, float width) {
@@ -107,12 +109,11 @@ void drawEnum(const Row& row, const ParamValue& value) {
   const nodes::Choice* current = nullptr;
   for (const nodes::Choice& c : row.spec.choices)
     if (c.id == id) current = &c;
-  ImGui::SetNextItemWidth(row.width);
-  if (!ImGui::BeginCombo("##combo", current ? current->label.c_str() : id.c_str())) return;
+  if (!beginCombo(row.editor.theme, "##combo", current ? current->label : id, row.width)) return;
   for (const nodes::Choice& c : row.spec.choices) {
     if (ImGui::Selectable(c.label.c_str(), &c == current)) set(row, c.id, false);
     row.editor.trace.item("choice/" + c.id);
-    if (!c.help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", c.help.c_str());
+    if (!c.help.empty() && ImGui::IsItemHovered()) tooltip(row.editor.theme, c.help);
   }
   ImGui::EndCombo();
 }
@@ -155,7 +156,9 @@ void drawWidget(const Row& row, const ParamValue& value) {
   switch (row.spec.type) {
     case ParamType::Bool: {
       bool on = std::get<bool>(value);
+      ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
       if (ImGui::Checkbox("##bool", &on)) set(row, on, false);
+      ImGui::PopStyleVar();
       break;
     }
     case ParamType::Int:
@@ -189,7 +192,7 @@ void drawHelp(const Theme& theme, const ParamSpec& spec) {
 
 float beginRow(const Editor& editor, const std::string& label, bool modified, bool* reset) {
   const Theme& theme = editor.theme;
-  const float all = ImGui::GetContentRegionAvail().x, labels = std::floor(all * 0.37f);
+  const float all = ImGui::GetContentRegionAvail().x, labels = std::floor(all * 0.42f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight(), dot = theme.px(12);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -226,7 +229,7 @@ void drawParamRow(Editor& editor, const std::string& name, const ParamSpec& spec
   const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({lo.x + editor.theme.px(14), lo.y}, hi);
   if (hovered && ImGui::IsMouseReleased(1)) ImGui::OpenPopup("row menu");
   const bool busy = ImGui::IsAnyItemActive() || editor.parameters.numbers.typing != 0;
-  if (hovered && !busy && ImGui::GetIO().MousePos.x < lo.x + (hi.x - lo.x) * 0.36f) drawHelp(editor.theme, spec);
+  if (hovered && !busy && ImGui::GetIO().MousePos.x < lo.x + (hi.x - lo.x) * 0.41f) drawHelp(editor.theme, spec);
   if (ImGui::BeginPopup("row menu")) {
     if (ImGui::MenuItem("Reset to Default", nullptr, false, modified)) reset = true;
     editor.trace.item("row menu/reset");

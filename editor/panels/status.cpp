@@ -114,7 +114,7 @@ void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max) {
   for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i) text += times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + "   ";
   text += pictureText(editor) + "   frame " + ms(editor.frameMs);
   const float width = textWidth(theme.small, text), right = std::max(max.x - theme.space(3) - width, min.x + (max.x - min.x) * 0.35f);
-  const float used = drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)}, palette::kTextDim, text, max.x - right - theme.space(3));
+  const float used = drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)}, palette::kTextDim, text, max.x - right - theme.space(3) + 1);
   if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && !times.empty()) timesTooltip(editor, times);
   if (editor.exporter.active()) drawExport(editor, min, {right, max.y});
   else drawMessage(editor, min, max, right);

@@ -117,12 +117,12 @@ void drawChip(const Theme& theme, vec2 at, const std::string& text, ImU32 ink) {
 /// What the picture is: a draft, how far the final one is, what it waits for; and a thin bar along its lower edge.
 void drawProgress(Editor& editor, vec2 lo, vec2 hi) {
   const Preview& preview = editor.preview;
-  if (preview.complete() && !preview.draft()) return;
+  if (preview.settled()) return;
   std::string text = preview.waitingFor();
   const auto percent = static_cast<int>(100 * std::clamp(preview.fraction(), 0.0, 1.0));
   if (preview.paused()) text = fmt::format("Paused at {} %, Esc continues", percent);
   else if (!text.empty()) text = fmt::format("{} {} %", text, percent);
-  else if (preview.draft() && preview.complete()) text = "Draft";
+  else if (preview.draft() && preview.picture()) text = preview.fraction() > 0 ? fmt::format("Draft, final {} %", percent) : "Draft";
   else text = fmt::format("{} %", percent);
   const Theme& theme = editor.theme;
   drawChip(theme, lo + vec2(theme.space(2)), text, palette::kText);
@@ -156,7 +156,7 @@ void drawNotice(Editor& editor, vec2 lo, vec2 hi) {
     editor.trace.note("viewport error", preview.error());
   } else if (shownView(editor).empty()) {
     drawCentered(theme, lo, hi, icon::kPicture, palette::kTextDim, "Nothing to show yet", "Add a View node and link an image to it to see it here.");
-  } else if (!preview.picture() && preview.complete()) {
+  } else if (!preview.picture() && preview.settled()) {
     drawCentered(theme, lo, hi, icon::kPicture, palette::kTextDim, "No image is linked", "Link a Render node's image to " + shownView(editor) + ".");
   }
 }

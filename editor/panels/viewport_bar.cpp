@@ -9,6 +9,7 @@
 #include "editor/icons.h"
 #include "editor/panels/number_field.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/widgets.h"
 
 namespace pileus::editor {
 namespace {
@@ -26,10 +27,9 @@ void setText(Editor& editor, const std::string& node, const char* param, const s
 }
 
 bool combo(Editor& editor, const char* id, const char* help, float width, const std::string& shown) {
-  ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = beginCombo(editor.theme, id, shown, width);
   editor.trace.item("viewport" + std::string(id).substr(1));
-  if (!open && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  if (!open && ImGui::IsItemHovered()) tooltip(editor.theme, help);
   return open;
 }
 
@@ -65,6 +65,9 @@ void chooseDisplay(Editor& editor, const std::string& node, const view::DisplayS
 }
 
 void dragExposure(Editor& editor, const std::string& node, const nodes::ParamSpec& spec, double value) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Exposure");
+  ImGui::SameLine();
   NumberField field;
   field.softMin = spec.softMin, field.softMax = spec.softMax;
   field.hardMin = spec.hardMin, field.hardMax = spec.hardMax;
@@ -73,7 +76,7 @@ void dragExposure(Editor& editor, const std::string& node, const nodes::ParamSpe
   editor.trace.item("viewport/exposure");
   if (edit.changed) tryEdit(editor, nodes::setParam(editor.document.graph(), node, "exposure", value), "Exposure", edit.dragging ? "viewport exposure" : "");
   if (edit.finished) editor.document.endMerge();
-  if (ImGui::IsItemHovered() && !edit.dragging) ImGui::SetTooltip("Exposure: [ and ] change it by half a stop, Ctrl+R resets it");
+  if (ImGui::IsItemHovered() && !edit.dragging) tooltip(editor.theme, "Exposure: [ and ] change it by half a stop, Ctrl+R resets it");
   if (ImGui::IsItemClicked(1)) resetExposure(editor);
 }
 

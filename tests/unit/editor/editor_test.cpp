@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "editor/actions.h"
+#include "editor/camera_control.h"
+#include "editor/panels/number_field.h"
+#include "editor/settings.h"
+#include "tests/support/support.h"
+
+namespace pileus::editor {
+namespace {
+
+TEST(Actions, IdsLabelsAndMenusAreSane) {
+  std::set<std::string> ids;
+  for (const Action& a : allActions()) {
+    EXPECT_TRUE(ids.insert(a.id).second) << a.id << " occurs twice";
+    EXPECT_NE(std::string(a.label), "") << a.id;
+    EXPECT_NE(a.run, nullptr) << a.id;
+    EXPECT_EQ(findAction(a.id), &a);
+    EXPECT_TRUE((std::set<std::string>{"", "File", "Edit", "View", "Help"}.contains(a.menu))) << a.id << " is in no menu: " << a.menu;
+    for (const Shortcut& s : a.keys)
+      if (s.key) {
+        EXPECT_EQ(shortcutText(s).find('?'), std::string::npos) << a.id << " has a key without a name";
+      }
+  }
+  EXPECT_EQ(findAction("no.such"), nullptr);
+}
+
+TEST(Actions, NoShortcutMeansTwoThingsInOnePanel) {
+  std::map<std::tuple<Panel, int, bool, bool, bool>, std::string> seen;
+  for (const Action& a : allActions())
+    for (const Shortcut& s : a.keys) {
+      if (!s.key) continue;
+      const auto [it, fresh] = seen.emplace(std::tuple{a.panel, s.key, s.ctrl, s.shift, s.alt}, a.id);
+      EXPECT_TRUE(fresh) << shortcutText(s) << " is both " << it->second << " and " << a.id;
+      if (a.panel == Panel::Global) continue;
+      EXPECT_FALSE(seen.contains({Panel::Global, s.key, s.ctrl, s.shift, s.alt})) << shortcutText(s) << " of " << a.id << " hides a global one";
+    }
+}
+
+TEST(Actions, TheFixedKeysAreThere) {
+  const auto text = [](const char* id) { return shortcutText(findAction(id)->keys[0]); };
+  EXPECT_EQ(text("graph.add"), "Tab");
+  EXPECT_EQ(text("edit.undo"), "Ctrl+Z");
+  EXPECT_EQ(text("edit.redo"), "Ctrl+Shift+Z");
+  EXPECT_EQ(text("file.save_as"), "Ctrl+Shift+S");
+  EXPECT_EQ(text("graph.bypass"), "D");
+  EXPECT_EQ(text("viewport.exposure_up"), "]");
+}
+
+TEST(Settings, RoundTripThroughTheFile) {
+  Settings s;
+  s.window = {1600, 1000};
+  s.viewportShare = 0.4;
+  s.parametersWidth = 400;
+  s.showTimes = true;
+  s.recentFiles = {"/a/b.json", "/c \"quoted\".json"};
+  s.recentNodes = {"light.sun"};
+  const std::filesystem::path folder = test::scratchFolder();
+  ASSERT_TRUE(saveSettings(folder, s));
+  EXPECT_EQ(loadSettings(folder), s);
+  EXPECT_EQ(loadSettings(folder / "missing"), Settings{});
+}
+
+TEST(Settings, DamageNeverGetsThrough) {
+  EXPECT_EQ(settingsFromText("not json"), Settings{});
+  EXPECT_EQ(settingsFromText("[]"), Settings{});
+  const Settings s = settingsFromText(R"({"window": [1, -5], "viewportShare": "wide", "parametersWidth": 1e99, "recentFiles": [3, "x"], "new": 1})");
+  EXPECT_EQ(s.window, ivec2(720, 480));
+  EXPECT_EQ(s.viewportShare, Settings{}.viewportShare);
+  EXPECT_EQ(s.parametersWidth, 900);
+  EXPECT_EQ(s.recentFiles, std::vector<std::string>{"x"});
+}
+
+TEST(Settings, RecentListsAreShortAndNewestFirst) {
+  std::vector<std::string> list;
+  for (int i = 0; i < 20; ++i) remember(list, std::to_string(i), 5);
+  remember(list, "17", 5);
+  EXPECT_EQ(list, (std::vector<std::string>{"17", "19", "18", "16", "15"}));
+}
+
+TEST(NumberField, DragsThroughTheSoftRangeAndRoundsLikeAPerson) {
+  NumberField f;
+  f.softMin = 0, f.softMax = 10, f.hardMax = 1000;
+  EXPECT_NEAR(draggedValue(2, 100, 200, f, false), 7, 1e-12);
+  EXPECT_NEAR(draggedValue(2, 100, 200, f, true), 2.5, 1e-12);
+  EXPECT_EQ(tidiedValue(7.01234, f, false, false), 7.02);
+  EXPECT_EQ(tidiedValue(7.01234, f, false, true), 7);
+  EXPECT_EQ(tidiedValue(55, f, false, false), 10) << "dragging stops at the soft range";
+  f.integer = true;
+  EXPECT_EQ(tidiedValue(7.4, f, false, false), 7);
+  EXPECT_EQ(numberText(0.1 + 0.2, false), "0.3");
+  EXPECT_EQ(numberText(-0.0, false), "0");
+}
+
+TEST(NumberField, LogarithmicDragsMultiply) {
+  NumberField f;
+  f.softMin = 0.01, f.softMax = 100, f.logarithmic = true;
+  EXPECT_NEAR(draggedValue(1, 100, 200, f, false), 100, 1e-9);
+  EXPECT_NEAR(draggedValue(1, -50, 200, f, false), 0.1, 1e-9);
+  EXPECT_EQ(tidiedValue(12.3456, f, false, false), 12.3);
+  f.softMin = 0;
+  EXPECT_EQ(tidiedValue(draggedValue(0.02, -400, 200, f, false), f, false, false), 0) << "the lower end of a range from zero is zero";
+}
+
+TEST(CameraControl, OrbitKeepsDistanceAndAvoidsThePoles) {
+  const scene::Camera camera{{3, 4, 12}, {1, 1, 1}, {0, 1, 0}, 40};
+  const scene::Camera turned = orbited(camera, {0.3, -0.2});
+  EXPECT_NEAR(glm::length(turned.eye - turned.target), glm::length(camera.eye - camera.target), 1e-9);
+  EXPECT_EQ(turned.target, camera.target);
+  const scene::Camera back = orbited(turned, {-0.3, 0.2});
+  EXPECT_NEAR(glm::length(back.eye - camera.eye), 0, 1e-9);
+  const scene::Camera top = orbited(camera, {0, 10});
+  EXPECT_LT(glm::dot(glm::normalize(top.eye - top.target), dvec3(0, 1, 0)), 1.0);
+}
+
+TEST(CameraControl, PanFollowsThePointerAndDollyKeepsTheTarget) {
+  const scene::Camera camera{{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, 90};
+  // 90 degrees at distance 10: the picture is 20 high at the target.
+  const scene::Camera moved = panned(camera, {0.1, 0});
+  EXPECT_NEAR(glm::length(moved.target - dvec3(-2, 0, 0)), 0, 1e-9);
+  EXPECT_NEAR(glm::length(moved.eye - dvec3(-2, 0, 10)), 0, 1e-9);
+  EXPECT_NEAR(panned(camera, {0, 0.1}).target.y, 2, 1e-9);
+  EXPECT_NEAR(dollied(camera, 0.5).eye.z, 5, 1e-9);
+  EXPECT_EQ(dollied(camera, 0.5).target, camera.target);
+}
+
+}  // namespace
+}  // namespace pileus::editor

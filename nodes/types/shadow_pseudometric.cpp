@@ -12,6 +12,7 @@ struct In {
   LightValue light;
   SolidValue solids;
   shadow::Metric representation = shadow::Metric::Interval;
+  shadow::Coverage coverage = shadow::Coverage::Bricks;
   int intervals = 4;
   int coefficients = 4;
   int resolution = 1024;
@@ -32,6 +33,7 @@ void describe(Describe<In, Out>& d) {
   d.in("solids", &In::solids).many().help("Opaque solids that cut the light rays off.");
   d.in("representation", &In::representation).help("How the coverage along a ray is stored.");
   d.in("intervals", &In::intervals).range(1, 8).help("Interval only: merged [enter, exit] pairs kept per texel. Exact while a ray crosses no more media than this.");
+  d.in("coverage", &In::coverage).help("Interval only: what of a voxel grid counts as medium. Boxes and spheres are always exact.");
   d.in("coefficients", &In::coefficients).range(2, 16).help("Fourier and cosine only: series coefficients kept per texel. The paper uses 4.");
   d.in("resolution", &In::resolution).unit("texels").range(64, 4096).logarithmic().help("Texels along each edge of the map.");
   d.in("storage", &In::storage).help("Precision of the stored values.");
@@ -43,7 +45,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
   auto& pass = ctx.state<std::unique_ptr<shadow::PseudometricPass>>();
   if (!pass) {
-    shadow::MetricOptions options{in.representation, in.intervals, in.coefficients, draftResolution(in.resolution, ctx), in.storage};
+    shadow::MetricOptions options{in.representation, in.intervals, in.coefficients, draftResolution(in.resolution, ctx), in.storage, in.coverage};
     pass = std::make_unique<shadow::PseudometricPass>(options, light, in.volumes.items, shadow::fitSun(light, in.volumes.items, options.resolution));
   }
   PILEUS_TRY(const double fraction, pass->step(renderer->gpu(), ctx.msLeft()));

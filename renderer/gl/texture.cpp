@@ -17,12 +17,13 @@ std::size_t texelBytes(GLenum format) {
 
 Texture::Texture(GLenum target, GLenum internalFormat, ivec3 size, std::string_view label, int mips) : target_(target), format_(internalFormat), size_(size) {
   glCreateTextures(target, 1, &id_);
-  if (target == GL_TEXTURE_2D) glTextureStorage2D(id_, mips, internalFormat, size.x, size.y);
+  if (target == GL_TEXTURE_1D) glTextureStorage1D(id_, mips, internalFormat, size.x);
+  else if (target == GL_TEXTURE_2D) glTextureStorage2D(id_, mips, internalFormat, size.x, size.y);
   else glTextureStorage3D(id_, mips, internalFormat, size.x, size.y, size.z);
   glObjectLabel(GL_TEXTURE, id_, static_cast<GLsizei>(label.size()), label.data());
   filter(GL_NEAREST);
   wrap(GL_CLAMP_TO_EDGE);
-  bytes_ = texelBytes(internalFormat) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(target == GL_TEXTURE_2D ? 1 : size.z);
+  bytes_ = texelBytes(internalFormat) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
 }
 
 void Texture::reset() {

@@ -11,7 +11,7 @@ namespace pileus::gl {
 class Texture {
  public:
   Texture() = default;
-  /// target: GL_TEXTURE_2D, _2D_ARRAY or _3D (1D data uses height 1). Contents undefined.
+  /// target: GL_TEXTURE_1D, _2D, _2D_ARRAY or _3D; unused sizes are 1. Contents undefined.
   Texture(GLenum target, GLenum internalFormat, ivec3 size, std::string_view label, int mips = 1);
   ~Texture() { reset(); }
   Texture(Texture&& o) noexcept { swap(o); }

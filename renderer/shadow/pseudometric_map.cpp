@@ -63,7 +63,7 @@ Result<double> PseudometricPass::step(const Gpu& gpu, double ms) {
 
 Result<void> PseudometricPass::dispatchIntervals(const Gpu& gpu) {
   const ShadowBlock& block = *map_->block;
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/interval_map.comp.glsl"}, {{"INTERVALS", map_->options.intervals}, {"STORE", int(block.texels())}, {"SHAPES", set_.shapes()}}));
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/interval_map.comp.glsl"}, {{"INTERVALS", map_->options.intervals}, {"STORE", int(block.texels())}, {"SHAPES", set_.shapes()}, {"BRICKS", map_->options.coverage == Coverage::Bricks && (set_.shapes() & 1)}}));
   program->use();
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);

@@ -16,6 +16,7 @@ struct MetricOptions {
   int coefficients = 4;     ///< series: 2..16
   int resolution = 1024;    ///< texels along an edge
   Storage storage = Storage::Float;
+  Coverage coverage = Coverage::Bricks;  ///< Interval only
 };
 
 /// Finished and immutable. Carries what an extinction map needs beside it.

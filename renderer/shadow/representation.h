@@ -17,6 +17,14 @@ constexpr auto enumInfo(Metric*) {
       EnumItem<M>{M::None, "none", "None (Euclidean)", "Plain distance along the ray: what Fourier opacity maps use."}};
 }
 
+/// What a grid counts as covering.
+enum class Coverage { Bricks, Boxes };
+constexpr auto enumInfo(Coverage*) {
+  using C = Coverage;
+  return std::array{EnumItem<C>{C::Bricks, "bricks", "Occupied bricks", "Runs of bricks that hold something: gaps inside one grid cost nothing either."},
+                    EnumItem<C>{C::Boxes, "boxes", "Bounding boxes", "The whole box of each volume, as in the paper."}};
+}
+
 /// The basis extinction is projected on, as a function of u = g / g(1).
 enum class Basis { Cosine, Fourier, Slab };
 constexpr auto enumInfo(Basis*) {

@@ -11,9 +11,11 @@ namespace {
 
 gl::Texture upload(const image::LutTexture& lut) {
   const GLenum format = lut.channels == 1 ? GL_R32F : GL_RGB32F;
-  gl::Texture t(lut.dimensions == 3 ? GL_TEXTURE_3D : GL_TEXTURE_2D, format, glm::max(lut.size, ivec3(1)), lut.sampler);
+  const GLenum target = lut.dimensions == 3 ? GL_TEXTURE_3D : lut.dimensions == 2 ? GL_TEXTURE_2D : GL_TEXTURE_1D;
+  gl::Texture t(target, format, glm::max(lut.size, ivec3(1)), lut.sampler);
   const GLenum pixels = lut.channels == 1 ? GL_RED : GL_RGB;
   if (lut.dimensions == 3) glTextureSubImage3D(t.id(), 0, 0, 0, 0, lut.size.x, lut.size.y, lut.size.z, pixels, GL_FLOAT, lut.texels.data());
+  else if (lut.dimensions == 1) glTextureSubImage1D(t.id(), 0, 0, lut.size.x, pixels, GL_FLOAT, lut.texels.data());
   else glTextureSubImage2D(t.id(), 0, 0, 0, lut.size.x, std::max(lut.size.y, 1), pixels, GL_FLOAT, lut.texels.data());
   t.filter(lut.linear ? GL_LINEAR : GL_NEAREST);
   return t;
@@ -29,12 +31,12 @@ struct Compiled {
 
 struct Display::Impl {
   gl::ShaderLibrary* shaders;
-  std::map<std::string, Compiled> compiled;  ///< by config address, display and view
+  std::map<std::string, Compiled> compiled;  ///< by config (address and description), display and view
   std::map<int, gl::Texture> targets;
   GLuint framebuffer = 0, vertices = 0;
 
   Result<Compiled*> transform(const image::ColorConfig& config, const DisplaySettings& s) {
-    const std::string key = fmt::format("{}|{}|{}", static_cast<const void*>(&config), s.display, s.view);
+    const std::string key = fmt::format("{}|{}|{}|{}", static_cast<const void*>(&config), config.description(), s.display, s.view);
     if (const auto it = compiled.find(key); it != compiled.end()) return &it->second;
     PILEUS_TRY(const image::GpuTransform gpu, config.gpuTransform(s.display, s.view));
     Compiled c;

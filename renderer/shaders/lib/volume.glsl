@@ -98,16 +98,22 @@ float sampleGrid(int v, vec3 p, int level) {
   return sampleBrick(pageOf(r, b), r.o, b);
 }
 
+bool emptyPage(uvec4 page) { return page.x == PAGE_CONSTANT && page.y == 0u; }
+
+// The t at which the ray leaves the brick around t.
+float leaveBrick(VolumeRay r, float t) {
+  vec3 q = r.o + t * r.d;
+  vec3 wall = (vec3(brickAt(q)) + vec3(greaterThan(r.d, vec3(0.0)))) * kBrick;
+  vec3 exits = mix((wall - q) / r.d, vec3(1e30), lessThan(abs(r.d), vec3(1e-20)));
+  return t + max(min(min(exits.x, exits.y), exits.z), 0.0);
+}
+
+bool emptyBrick(VolumeRay r, float t) { return !r.analytic && emptyPage(pageOf(r, brickAt(r.o + t * r.d))); }
+
 // Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
 float emptyUntil(VolumeRay r, float t) {
 #if SHAPES & 1
-  vec3 q = r.o + t * r.d;
-  ivec3 b = brickAt(q);
-  uvec4 page = pageOf(r, b);
-  vec3 wall = (vec3(b) + vec3(greaterThan(r.d, vec3(0.0)))) * kBrick;
-  vec3 exits = mix((wall - q) / r.d, vec3(1e30), lessThan(abs(r.d), vec3(1e-20)));
-  bool empty = page.x == PAGE_CONSTANT && page.y == 0u && !r.analytic;
-  return empty ? t + max(min(min(exits.x, exits.y), exits.z), 0.0) : t;
+  return emptyBrick(r, t) ? leaveBrick(r, t) : t;
 #else
   return t;
 #endif

@@ -49,19 +49,27 @@ void main() {
     if (t0 >= t1) continue;
     int n = r.analytic ? 64 : int(clamp(ceil((t1 - t0) / stepFor(v, footprint)), 1.0, 8192.0));
     float ds = (t1 - t0) / float(n);
+    // Neighbouring steps are projected together while they span little of a basis period.
+    int chunk = clamp(n / (8 * BASIS_FLOATS), 1, 8);
     int i = 0;
     do {
-      // On to the next step with something in it, then project it: llvmpipe would project the empty ones too.
-      float sigma = 0.0, t;
+      // On to the next step with something in it: llvmpipe would project the empty ones too.
+      float m0 = 0.0;
+      int first = -1, last = 0;
+      bool more;
       do {
-        t = t0 + (float(i) + 0.5) * ds;
+        float t = t0 + (float(i) + 0.5) * ds;
         int next = stepAtOrBehind(i, emptyUntil(r, t), t0, 0.5, ds);
-        sigma = next == i ? sigmaAt(r, t) : 0.0;
+        float sigma = next == i ? sigmaAt(r, t) : 0.0;
+        first = first < 0 && sigma > 0.0 ? i : first;
+        last = next == i ? i + 1 : max(i, first);
+        m0 += sigma;
+        more = first < 0 || (next == i && i + 1 - first < chunk);
         i = max(next, i + 1);
-      } while (sigma <= 0.0 && i < n);
-      float u0 = metricU(METRIC, METRIC_COUNT, m, clamp((t - 0.5 * ds) / rayLength, 0.0, 1.0));
-      float u1 = metricU(METRIC, METRIC_COUNT, m, clamp((t + 0.5 * ds) / rayLength, 0.0, 1.0));
-      projectStep(BASIS, c, sigma * ds, u0, u1);
+      } while (more && i < n);
+      float u0 = metricU(METRIC, METRIC_COUNT, m, clamp((t0 + float(max(first, 0)) * ds) / rayLength, 0.0, 1.0));
+      float u1 = metricU(METRIC, METRIC_COUNT, m, clamp((t0 + float(last) * ds) / rayLength, 0.0, 1.0));
+      projectStep(BASIS, c, m0 * ds, u0, u1);
     } while (i < n);
   }
   for (int layer = 0; layer < (BASIS_FLOATS + 3) / 4; ++layer) {

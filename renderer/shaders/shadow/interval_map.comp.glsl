@@ -1,5 +1,6 @@
-// Interval pseudometric: per light texel the union of the volumes' extents on its ray, reduced to INTERVALS by closing the smallest
-// gaps. Layers hold (a0, b0, a1, b1), ...; unused intervals are a = b = 1.
+// Interval pseudometric: per light texel the union of what the volumes cover on its ray, reduced to INTERVALS by closing the smallest
+// gaps. A grid covers its runs of occupied bricks (BRICKS 1) or its whole box. Layers hold (a0, b0, a1, b1), ...; unused intervals are
+// a = b = 1.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
 #include "shared/records.h"
@@ -16,9 +17,31 @@ uniform ivec2 regionOrigin, regionEnd;
 vec3 rayOrigin = vec3(0.0), rayDirection = vec3(0.0);
 float rayLength = 1.0;
 
-vec2 extentOf(int v) {
-  vec2 hit = extentOfVolume(v, rayOrigin, rayDirection);
-  return hit.x < hit.y ? clamp(hit / rayLength, 0.0, 1.0) : vec2(1.0);
+// The first part of volume v's coverage that ends behind x, from no earlier than x; (2, 2) if there is none.
+vec2 coverageFrom(int v, float x) {
+  VolumeRay r;
+  vec2 hit = enterVolume(v, rayOrigin, rayDirection, 0, r);
+  if (hit.x >= hit.y) return vec2(2.0);
+  hit = clamp(hit / rayLength, 0.0, 1.0);
+  float lo = max(hit.x, x), hi = hit.y;
+#if BRICKS
+  float t = lo * rayLength, end = hi * rayLength, begin = t, nudge = 1e-3 * volumes[v].detail.x;
+  bool found = r.analytic, open = !r.analytic && t < end;
+  int guard = 0;
+  while (open && guard < 8192) {
+    float out_ = leaveBrick(r, t);
+    bool empty = emptyBrick(r, t);
+    begin = found ? begin : empty ? out_ : t;
+    open = !(found && empty) && out_ < end;
+    hi = found && empty ? t / rayLength : hi;
+    found = found || !empty;
+    t = max(out_, t) + nudge;
+    ++guard;
+  }
+  if (!found) return vec2(2.0);
+  lo = r.analytic ? lo : min(begin / rayLength, 1.0);
+#endif
+  return hi > lo && hi > x ? vec2(lo, hi) : vec2(2.0);
 }
 
 void main() {
@@ -37,19 +60,19 @@ void main() {
   float a[INTERVALS + 1], b[INTERVALS + 1];
   int count = 0;
   float behind = -1.0;
-  for (int guard = 0; guard < 65536; ++guard) {
+  for (int guard = 0; guard < 4096; ++guard) {
     float lo = 2.0;
     for (int i = range.x; i < range.y; ++i) {
-      vec2 e = extentOf(tileItems[i]);
-      if (e.y > e.x && e.x > behind && e.x < lo) lo = e.x;
+      vec2 e = coverageFrom(tileItems[i], behind);
+      lo = min(lo, e.x);
     }
-    if (lo > 1.0) break;
+    if (lo >= 1.0) break;
     float hi = lo;
     for (bool grown = true; grown;) {
       grown = false;
       for (int i = range.x; i < range.y; ++i) {
-        vec2 e = extentOf(tileItems[i]);
-        if (e.y > e.x && e.x <= hi && e.y > hi) {
+        vec2 e = coverageFrom(tileItems[i], hi);
+        if (e.x <= hi + 1e-6 && e.y > hi) {
           hi = e.y;
           grown = true;
         }

@@ -1,0 +1,106 @@
+#include "tests/support/gpu.h"
+
+#include <cstdlib>
+
+#include "renderer/shaders/shared/bindings.h"
+
+namespace pileus::test {
+namespace {
+
+template <class T>
+T must(Result<T> r) {
+  if (!r) {
+    std::fprintf(stderr, "%s\n", r.error().message.c_str());
+    ADD_FAILURE() << r.error().message;
+    std::abort();
+  }
+  return std::move(r).value();
+}
+
+template <class Pass>
+void finish(Pass& pass) {
+  while (must(pass.step(renderer().gpu(), 1e12)) < 1) {
+  }
+}
+
+}  // namespace
+
+view::Renderer& renderer() {
+  static const std::unique_ptr<gl::HeadlessContext> context = must(gl::HeadlessContext::create());
+  static const std::unique_ptr<view::Renderer> r = must(view::Renderer::create());
+  return *r;
+}
+
+volume::Instance box(const dvec3& center, const dvec3& size, double sigma, const dvec3& rotate) {
+  volume::Instance i;
+  i.shape = volume::Shape::Box;
+  i.worldFromLocal = composeTransform(center, rotate, size);
+  i.medium.extinction = sigma;
+  return i;
+}
+
+volume::Instance ball(const dvec3& center, double radius, double sigma) {
+  volume::Instance i;
+  i.shape = volume::Shape::Ball;
+  i.worldFromLocal = composeTransform(center, dvec3(0), dvec3(radius));
+  i.medium.extinction = sigma;
+  return i;
+}
+
+scene::Light sunFrom(const dvec3& towards, float irradiance) {
+  scene::Light light;
+  light.towards = glm::normalize(towards);
+  light.emitted = vec3(irradiance);
+  return light;
+}
+
+std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& volumes, const scene::Light& light, const shadow::MetricOptions& metric,
+                                                  const shadow::ExtinctionOptions& extinction, const shadow::LightFrustum* frustum) {
+  renderer();
+  shadow::PseudometricPass m(metric, light, volumes, frustum ? *frustum : shadow::fitSun(light, volumes, metric.resolution));
+  finish(m);
+  shadow::ExtinctionPass e(extinction, m.map());
+  finish(e);
+  return e.map();
+}
+
+std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& light, const std::vector<vec3>& positions) {
+  const shadow::Gpu gpu = renderer().gpu();
+  const std::vector<shadow::ShadowedLight> lights{{light, std::shared_ptr<const shadow::ShadowMap>(&map, [](auto*) {})}};
+  gl::Program* program = must(gpu.shaders.program({"test/lookup.comp.glsl"}, shadow::lookupDefines(lights)));
+  const gpu::LightRecord record = shadow::makeRecord(light, &map);
+  std::vector<vec4> padded;
+  for (const vec3& p : positions) padded.push_back(vec4(p, 0));
+  gl::Buffer lightBuffer, in, out;
+  lightBuffer.assign(&record, sizeof record);
+  in.assign(std::span<const vec4>(padded));
+  out.reserve(padded.size() * sizeof(float));
+  program->use();
+  gpu.store.bind();
+  lightBuffer.bindStorage(BIND_LIGHTS);
+  in.bindStorage(BIND_TEST_IN);
+  out.bindStorage(BIND_TEST_OUT);
+  program->set("count", int(padded.size()));
+  glDispatchCompute(GLuint((padded.size() + 63) / 64), 1, 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::vector<float> tau(padded.size());
+  glGetNamedBufferSubData(out.id(), 0, GLsizeiptr(tau.size() * sizeof(float)), tau.data());
+  return tau;
+}
+
+std::vector<float> texel(const shadow::ShadowBlock& block, ivec2 at) {
+  const gpu::BlockRecord r = block.record();
+  std::vector<float> out(std::size_t(block.layers()) * 4);
+  glGetTextureSubImage(block.texture(), 0, r.place.x + at.x, r.place.y + at.y, r.place.w, 1, 1, block.layers(), GL_RGBA, GL_FLOAT, GLsizei(out.size() * sizeof(float)),
+                       out.data());
+  return out;
+}
+
+image::Image render(const view::RenderOptions& options, const volume::InstanceList& volumes, const std::vector<shadow::ShadowedLight>& lights) {
+  renderer();
+  view::VolumeRenderPass pass(options, volumes, lights);
+  finish(pass);
+  return must(view::readBack(*pass.picture()));
+}
+
+}  // namespace pileus::test

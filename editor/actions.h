@@ -11,22 +11,22 @@
 namespace pileus::editor {
 
 struct Shortcut {
-  int key = 0;               ///< GLFW's code; 0 = none
+  int key = 0;  ///< GLFW's code; 0 = none
   bool ctrl = false, shift = false, alt = false;
   bool operator==(const Shortcut&) const = default;
 };
 
 struct Action {
-  const char* id;            ///< "file.save"
-  const char* label;         ///< "Save"; menus add the shortcut
-  const char* menu;          ///< the menu bar's menu it stands in; "" = none
-  Panel panel;               ///< whose keys these are; Global ones act everywhere
+  const char* id;     ///< "file.save"
+  const char* label;  ///< "Save"; menus add the shortcut
+  const char* menu;   ///< the menu bar's menu it stands in; "" = none
+  Panel panel;        ///< whose keys these are; Global ones act everywhere
   std::array<Shortcut, 3> keys;
   void (*run)(Editor&);
-  bool (*enabled)(const Editor&) = nullptr;   ///< null: always
-  bool (*checked)(const Editor&) = nullptr;   ///< not null: a toggle
-  bool separator = false;    ///< menus draw a line above it
-  bool whileTyping = false;  ///< its keys act while a text field is active
+  bool (*enabled)(const Editor&) = nullptr;  ///< null: always
+  bool (*checked)(const Editor&) = nullptr;  ///< not null: a toggle
+  bool separator = false;                    ///< menus draw a line above it
+  bool whileTyping = false;                  ///< its keys act while a text field is active
 };
 
 std::span<const Action> allActions();

@@ -18,11 +18,13 @@ namespace {
 
 constexpr double kSliceMs = 70;  // of refinement between two frames when nothing else happens
 
-/// Keys go to the panel under the pointer, unless a dialog or a text field has them. Esc closes menus and lists.
+/// Keys go to the panel under the pointer, unless a dialog or a text field has them. Esc closes menus and
+/// lists.
 void handleKeys(Editor& editor) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const bool ours = editor.dialogs.anyOpen() || editor.browser.isOpen();
-  if (popup && !ours && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::ClosePopupToLevel(0, false);
+  if (popup && !ours && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+    ImGui::ClosePopupToLevel(0, false);
   if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening) return;
   for (const KeyPress& key : editor.window->keys()) {
     // Esc ends what is going on before it pauses anything.
@@ -43,7 +45,8 @@ PreviewRequest previewRequest(const Editor& editor) {
 }
 
 void evaluate(Editor& editor) {
-  // Several steps a frame, so that drawing the window costs a refinement little; but input comes first: while events wait, the picture does.
+  // Several steps a frame, so that drawing the window costs a refinement little; but input comes first: while
+  // events wait, the picture does.
   const Stopwatch clock;
   while (!editor.window->inputPending()) {
     editor.preview.step(previewRequest(editor));
@@ -52,8 +55,10 @@ void evaluate(Editor& editor) {
   }
   if (editor.window->inputPending()) return;
   if (auto outcome = editor.exporter.step()) {
-    if (*outcome) editor.messages.info("Exported " + outcome->value().string());
-    else editor.messages.error("Not exported: " + outcome->error().message);
+    if (*outcome)
+      editor.messages.info("Exported " + outcome->value().string());
+    else
+      editor.messages.error("Not exported: " + outcome->error().message);
   }
 }
 
@@ -71,10 +76,13 @@ void handleWindow(Editor& editor) {
     if (!editor.dialogs.afterUnsaved) withSavedDocument(editor, [](Editor& e) { e.quit = true; });
   }
   for (const std::filesystem::path& path : editor.window->takeDroppedFiles()) {
-    if (path.extension() == ".json") withSavedDocument(editor, [path](Editor& e) { openFile(e, path); });
-    else editor.messages.hint("Only graphs (.json) can be dropped here.");
+    if (path.extension() == ".json")
+      withSavedDocument(editor, [path](Editor& e) { openFile(e, path); });
+    else
+      editor.messages.hint("Only graphs (.json) can be dropped here.");
   }
-  editor.window->setTitle(std::string(editor.document.dirty() ? "\xe2\x80\xa2 " : "") + documentName(editor) + " \xe2\x80\x93 Pileus");
+  editor.window->setTitle(std::string(editor.document.dirty() ? "\xe2\x80\xa2 " : "") + documentName(editor) +
+                          " \xe2\x80\x93 Pileus");
 }
 
 /// Seconds until the next frame is due when nothing happens; 0 = at once.
@@ -125,11 +133,14 @@ int runEditor(const EditorOptions& options) {
   {
     Editor editor(**window, std::move(*renderer), std::move(theme));
     editor.settings = settings;
-    if (options.file.empty()) openPreset(editor, "default.json");
-    else openFile(editor, options.file);
+    if (options.file.empty())
+      openPreset(editor, "default.json");
+    else
+      openFile(editor, options.file);
     loop(editor);
     editor.settings.window = (*window)->size();
-    if (const Result<void> saved = saveSettings(folder, editor.settings); !saved) log::warn("{}", saved.error().message);
+    if (const Result<void> saved = saveSettings(folder, editor.settings); !saved)
+      log::warn("{}", saved.error().message);
     setJobNotifier(nullptr);
   }
   return 0;

@@ -20,13 +20,16 @@ scene::Camera orbited(const scene::Camera& camera, dvec2 drag) {
   azimuth -= drag.x;
   elevation = std::clamp(elevation + drag.y, -kPole, kPole);
   scene::Camera out = camera;
-  out.eye = camera.target + distance * (std::sin(elevation) * up + std::cos(elevation) * (std::cos(azimuth) * north + std::sin(azimuth) * east));
+  out.eye = camera.target +
+            distance * (std::sin(elevation) * up +
+                        std::cos(elevation) * (std::cos(azimuth) * north + std::sin(azimuth) * east));
   return out;
 }
 
 scene::Camera panned(const scene::Camera& camera, dvec2 drag) {
   const glm::dmat3 axes = scene::basis(camera);
-  const double height = 2 * glm::length(camera.eye - camera.target) * std::tan(0.5 * glm::radians(camera.fov));
+  const double height =
+      2 * glm::length(camera.eye - camera.target) * std::tan(0.5 * glm::radians(camera.fov));
   const dvec3 move = height * (-drag.x * axes[0] + drag.y * axes[1]);
   scene::Camera out = camera;
   out.eye += move;

@@ -4,7 +4,8 @@
 
 namespace pileus::editor {
 
-/// Turns the eye around the target; `drag` in radians (x: about the up axis, y: elevation, stopped short of the poles).
+/// Turns the eye around the target; `drag` in radians (x: about the up axis, y: elevation, stopped short of
+/// the poles).
 scene::Camera orbited(const scene::Camera& camera, dvec2 drag);
 /// Moves eye and target so that the target plane follows the pointer; `drag` in picture heights, y down.
 scene::Camera panned(const scene::Camera& camera, dvec2 drag);

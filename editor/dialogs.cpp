@@ -17,7 +17,8 @@ bool beginModal(const Editor& editor, const char* title, bool wanted, float widt
   ImGui::SetNextWindowSize({editor.theme.px(width), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {editor.theme.space(5), editor.theme.space(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, editor.theme.px(8));
-  const bool open = ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove);
+  const bool open = ImGui::BeginPopupModal(
+      title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove);
   ImGui::PopStyleVar(2);
   return open;
 }
@@ -40,8 +41,12 @@ bool button(Editor& editor, const char* label, const char* trace, bool primary =
   return pressed;
 }
 
-bool pressedEnter() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::IsWindowAppearing(); }
-bool pressedEscape() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsWindowAppearing(); }
+bool pressedEnter() {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::IsWindowAppearing();
+}
+bool pressedEscape() {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsWindowAppearing();
+}
 
 void drawUnsaved(Editor& editor) {
   Dialogs& d = editor.dialogs;
@@ -68,7 +73,8 @@ void drawFaults(Editor& editor) {
   if (!beginModal(editor, "Faults", !d.faults.empty(), 640)) return;
   heading(editor, (d.faultsOf + " was opened with some faults").c_str());
   ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted("What could not be understood is kept as far as possible and written back when you save.");
+  ImGui::TextUnformatted(
+      "What could not be understood is kept as far as possible and written back when you save.");
   ImGui::PopTextWrapPos();
   ImGui::BeginChild("list", {0, editor.theme.px(220)}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
   for (const nodes::Fault& f : d.faults) {
@@ -178,7 +184,9 @@ void drawAbout(Editor& editor) {
   heading(editor, "Pileus");
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted("A node-graph editor for volumetric lighting.");
-  ImGui::TextDisabled("Licensed under the Apache License 2.0. Fonts: Inter and JetBrains Mono (SIL Open Font License 1.1), Fork Awesome (SIL Open Font License 1.1).");
+  ImGui::TextDisabled(
+      "Licensed under the Apache License 2.0. Fonts: Inter and JetBrains Mono (SIL Open Font License 1.1), "
+      "Fork Awesome (SIL Open Font License 1.1).");
   ImGui::Dummy({0, editor.theme.px(2)});
   const gl::DeviceInfo& device = editor.renderer->device();
   ImGui::TextDisabled("%s\nOpenGL %s", device.renderer.c_str(), device.version.c_str());

@@ -11,10 +11,10 @@ namespace pileus::editor {
 struct Editor;
 
 struct Dialogs {
-  std::function<void(Editor&)> afterUnsaved;   ///< set: ask about unsaved changes, then do this
-  std::vector<nodes::Fault> faults;            ///< not empty: list them
-  std::string faultsOf;                        ///< the file they were found in
-  std::string errorTitle, errorText;           ///< not empty: an error that needs reading
+  std::function<void(Editor&)> afterUnsaved;  ///< set: ask about unsaved changes, then do this
+  std::vector<nodes::Fault> faults;           ///< not empty: list them
+  std::string faultsOf;                       ///< the file they were found in
+  std::string errorTitle, errorText;          ///< not empty: an error that needs reading
   bool shortcuts = false, about = false;
 
   bool anyOpen() const { return afterUnsaved || !faults.empty() || !errorText.empty() || shortcuts || about; }

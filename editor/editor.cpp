@@ -4,7 +4,8 @@
 
 namespace pileus::editor {
 
-bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label, std::string_view mergeKey) {
+bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label,
+             std::string_view mergeKey) {
   if (!graph) {
     editor.messages.hint(graph.error().message);
     return false;
@@ -13,7 +14,8 @@ bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& labe
   // A selected link that is gone is not selected.
   if (editor.canvas.selectedLink) {
     const std::vector<nodes::Link>& links = editor.document.graph().links;
-    if (std::find(links.begin(), links.end(), *editor.canvas.selectedLink) == links.end()) editor.canvas.selectedLink.reset();
+    if (std::find(links.begin(), links.end(), *editor.canvas.selectedLink) == links.end())
+      editor.canvas.selectedLink.reset();
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The state of one editor window: the parts, each of which lives in its own file. Drawing and commands are free functions over it.
+// The state of one editor window: the parts, each of which lives in its own file. Drawing and commands are
+// free functions over it.
 #include <memory>
 #include <string>
 
@@ -25,10 +26,15 @@ enum class Panel { Global, Viewport, Graph, Parameters, Log };
 
 struct Editor {
   Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)
-      : window(&theWindow), renderer(std::move(theRenderer)), theme(std::move(theTheme)), preview(renderer.get()), exporter(renderer.get()), viewport(*renderer) {}
+      : window(&theWindow),
+        renderer(std::move(theRenderer)),
+        theme(std::move(theTheme)),
+        preview(renderer.get()),
+        exporter(renderer.get()),
+        viewport(*renderer) {}
 
   Window* window;
-  std::unique_ptr<view::Renderer> renderer;   // before everything that holds GPU objects
+  std::unique_ptr<view::Renderer> renderer;  // before everything that holds GPU objects
   Theme theme;
   Settings settings;
   nodes::Document document;
@@ -41,13 +47,14 @@ struct Editor {
   Dialogs dialogs;
   Messages messages;
   UiTrace trace;
-  Panel hovered = Panel::Global;              ///< under the pointer: whose keys act
-  double frameMs = 0;                         ///< of the last frame drawn, evaluation included
+  Panel hovered = Panel::Global;  ///< under the pointer: whose keys act
+  double frameMs = 0;             ///< of the last frame drawn, evaluation included
   bool quit = false;
 };
 
 /// An edit that may be refused: shows the reason in the status line, returns whether it was made.
-bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label, std::string_view mergeKey = {});
+bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label,
+             std::string_view mergeKey = {});
 /// A different document was put in place: forgets what belonged to the old one.
 void documentReplaced(Editor& editor);
 

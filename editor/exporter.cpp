@@ -45,17 +45,20 @@ std::optional<Result<std::filesystem::path>> Exporter::step() {
   waitingForJobs_ = report.waitingForJobs;
   if (!report.complete) return std::nullopt;
   const nodes::NodeStatus& status = evaluator_->status(request_->view);
-  if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped) return finish(status.error);
+  if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped)
+    return finish(status.error);
   const nodes::SocketValue* value = evaluator_->input(request_->view, "image");
   const auto* picture = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
-  if (!picture || !picture->picture) return finish(fail(Code::Input, "{}: no image is linked", request_->view));
+  if (!picture || !picture->picture)
+    return finish(fail(Code::Input, "{}: no image is linked", request_->view));
   Result<image::Image> image = view::readBack(*picture->picture);
   if (!image) return finish(image.error());
   evaluator_.reset();  // frees its GPU memory while the file is written
-  writing_ = std::make_unique<Job<bool>>([target = request_->target, pixels = std::move(*image)](JobControl&) -> Result<bool> {
-    PILEUS_CHECK(image::writeExr(target, pixels));
-    return true;
-  });
+  writing_ = std::make_unique<Job<bool>>(
+      [target = request_->target, pixels = std::move(*image)](JobControl&) -> Result<bool> {
+        PILEUS_CHECK(image::writeExr(target, pixels));
+        return true;
+      });
   return std::nullopt;
 }
 

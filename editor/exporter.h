@@ -1,6 +1,6 @@
 #pragma once
-// Writes the active picture to an EXR in the background of the session: rendered progressively at the document's size, frame by frame
-// within a budget, then written by a job. GL thread.
+// Writes the active picture to an EXR in the background of the session: rendered progressively at the
+// document's size, frame by frame within a budget, then written by a job. GL thread.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,8 +13,8 @@ namespace pileus::editor {
 
 struct ExportRequest {
   nodes::Graph graph;
-  std::string view;                        ///< the output node whose image is written
-  std::filesystem::path target, folder;    ///< folder: base of relative file parameters
+  std::string view;                      ///< the output node whose image is written
+  std::filesystem::path target, folder;  ///< folder: base of relative file parameters
   std::optional<scene::Camera> freeCamera;
 };
 

@@ -27,7 +27,8 @@ std::string lowered(std::string text) {
 bool hasKind(const std::string& name, const std::vector<std::string>& kinds) {
   if (kinds.empty()) return true;
   const std::string text = lowered(name);
-  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& k) { return text.ends_with("." + k); });
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const std::string& k) { return text.ends_with("." + k); });
 }
 
 fs::path homeFolder() {
@@ -59,7 +60,8 @@ void FileBrowser::open(Editor& editor, BrowserRequest request) {
   }
   if (start.empty() || !fs::is_directory(start, ec)) {
     const std::vector<std::string>& recent = editor.settings.recentFolders;
-    const auto alive = std::find_if(recent.begin(), recent.end(), [&](const std::string& f) { return fs::is_directory(f, ec); });
+    const auto alive = std::find_if(recent.begin(), recent.end(),
+                                    [&](const std::string& f) { return fs::is_directory(f, ec); });
     start = alive != recent.end() ? fs::path(*alive) : fs::current_path(ec);
   }
   enter(start);
@@ -119,7 +121,8 @@ void FileBrowser::choose(Editor& editor) {
     return finish(editor, path);
   }
   if (!hasKind(path.filename().string(), request_.kinds)) path += "." + request_.kinds.front();
-  if (!fs::is_directory(path.parent_path(), ec)) return void(error_ = fmt::format("The folder {} does not exist.", path.parent_path().string()));
+  if (!fs::is_directory(path.parent_path(), ec))
+    return void(error_ = fmt::format("The folder {} does not exist.", path.parent_path().string()));
   if (fs::exists(path, ec)) {
     replacing_ = path;
     askReplace_ = true;
@@ -139,10 +142,13 @@ void FileBrowser::drawPlaces(Editor& editor) {
   };
   place(icon::kHome, "Home", homeFolder());
   place(icon::kDesktop, "Computer", "/");
-  if (!editor.document.path().empty()) place(icon::kFile, "This document", fs::absolute(editor.document.path()).parent_path());
+  if (!editor.document.path().empty())
+    place(icon::kFile, "This document", fs::absolute(editor.document.path()).parent_path());
   ImGui::Dummy({0, theme.space(1)});
   ImGui::TextDisabled("Recent");
-  for (const std::string& folder : editor.settings.recentFolders) place(icon::kFolder, fs::path(folder).filename().empty() ? folder : fs::path(folder).filename().string(), folder);
+  for (const std::string& folder : editor.settings.recentFolders)
+    place(icon::kFolder, fs::path(folder).filename().empty() ? folder : fs::path(folder).filename().string(),
+          folder);
   ImGui::EndChild();
 }
 
@@ -157,20 +163,27 @@ void FileBrowser::drawEntries(Editor& editor) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const std::string label = fmt::format("{}  {}", entry.folder ? icon::kFolder : icon::kFile, entry.name);
-    if (ImGui::Selectable(("##" + entry.name).c_str(), !entry.folder && entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+    if (ImGui::Selectable(("##" + entry.name).c_str(), !entry.folder && entry.name == name_,
+                          ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
       if (!entry.folder) name_ = entry.name, error_.clear();
-      if (entry.folder) into = folder_ / entry.name;
-      else if (ImGui::IsMouseDoubleClicked(0)) chosen = true;
+      if (entry.folder)
+        into = folder_ / entry.name;
+      else if (ImGui::IsMouseDoubleClicked(0))
+        chosen = true;
     }
     editor.trace.item("entry/" + entry.name);
-    editor::drawText(ImGui::GetWindowDrawList(), theme.body, {at.x, at.y}, entry.folder ? palette::kText : palette::kTextStrong, label, width - theme.px(80));
+    editor::drawText(ImGui::GetWindowDrawList(), theme.body, {at.x, at.y},
+                     entry.folder ? palette::kText : palette::kTextStrong, label, width - theme.px(80));
     if (!entry.folder) {
       const std::string size = sizeText(entry.bytes);
       const float w = textWidth(theme.small, size);
-      editor::drawText(ImGui::GetWindowDrawList(), theme.small, {at.x + width - w, at.y + theme.px(1)}, palette::kTextFaint, size, w + 1);
+      editor::drawText(ImGui::GetWindowDrawList(), theme.small, {at.x + width - w, at.y + theme.px(1)},
+                       palette::kTextFaint, size, w + 1);
     }
   }
-  if (entries_.empty()) ImGui::TextDisabled("%s", request_.kinds.empty() || showAll_ ? "This folder is empty." : "No files of this kind here.");
+  if (entries_.empty())
+    ImGui::TextDisabled(
+        "%s", request_.kinds.empty() || showAll_ ? "This folder is empty." : "No files of this kind here.");
   ImGui::EndChild();
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
@@ -187,7 +200,8 @@ void FileBrowser::draw(Editor& editor) {
   ImGui::SetNextWindowSize({std::min(theme.px(760), display.x - theme.px(40)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(5), theme.space(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
-  const bool visible = ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  const bool visible = ImGui::BeginPopupModal(
+      kTitle, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
   ImGui::PopStyleVar(2);
   if (!visible) return;
   ImGui::PushFont(theme.title);
@@ -206,7 +220,9 @@ void FileBrowser::draw(Editor& editor) {
   ImGui::SetNextItemWidth(-1);
   if (focusName_) ImGui::SetKeyboardFocusHere();
   focusName_ = false;
-  const bool enterKey = ImGui::InputTextWithHint("##name", request_.saving ? "File name" : "File name or path", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool enterKey =
+      ImGui::InputTextWithHint("##name", request_.saving ? "File name" : "File name or path", &name_,
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   editor.trace.item("browser/name");
   bool go = enterKey;
   if (!error_.empty()) {
@@ -219,7 +235,8 @@ void FileBrowser::draw(Editor& editor) {
   }
   if (askReplace_) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-    ImGui::TextUnformatted(fmt::format("{}  {} exists already.", icon::kWarning, replacing_.filename().string()).c_str());
+    ImGui::TextUnformatted(
+        fmt::format("{}  {} exists already.", icon::kWarning, replacing_.filename().string()).c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine();
     if (ImGui::Button("Replace")) finish(editor, replacing_);

@@ -1,5 +1,6 @@
 #pragma once
-// A file dialog inside the window: folders, the files of some kinds, recent folders, a typed name; asks before a file is replaced.
+// A file dialog inside the window: folders, the files of some kinds, recent folders, a typed name; asks
+// before a file is replaced.
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -10,17 +11,17 @@ namespace pileus::editor {
 struct Editor;
 
 struct BrowserRequest {
-  std::string title, button;             ///< "Open graph", "Open"
-  std::vector<std::string> kinds;        ///< endings without the dot; empty = all files
-  bool saving = false;                   ///< a new name may be typed; an existing file is asked about
-  std::filesystem::path start;           ///< folder, or file to preselect; empty = last folder used
+  std::string title, button;       ///< "Open graph", "Open"
+  std::vector<std::string> kinds;  ///< endings without the dot; empty = all files
+  bool saving = false;             ///< a new name may be typed; an existing file is asked about
+  std::filesystem::path start;     ///< folder, or file to preselect; empty = last folder used
   std::function<void(const std::filesystem::path&)> done;
 };
 
 class FileBrowser {
  public:
   void open(Editor& editor, BrowserRequest request);
-  void draw(Editor& editor);             ///< once a frame
+  void draw(Editor& editor);  ///< once a frame
   bool isOpen() const { return open_; }
 
  private:

@@ -16,7 +16,8 @@ void put(Editor& editor, nodes::Loaded loaded, const fs::path& path, const std::
   editor.document = nodes::Document(std::move(loaded.graph), path);
   documentReplaced(editor);
   if (loaded.faults.empty()) return;
-  for (const nodes::Fault& f : loaded.faults) log::write(f.error ? log::Level::Error : log::Level::Warning, name + ": " + nodes::faultText(f));
+  for (const nodes::Fault& f : loaded.faults)
+    log::write(f.error ? log::Level::Error : log::Level::Warning, name + ": " + nodes::faultText(f));
   editor.dialogs.faults = std::move(loaded.faults);
   editor.dialogs.faultsOf = name;
 }
@@ -37,8 +38,10 @@ bool write(Editor& editor, const fs::path& path) {
 }  // namespace
 
 void withSavedDocument(Editor& editor, std::function<void(Editor&)> then) {
-  if (editor.document.dirty()) editor.dialogs.afterUnsaved = std::move(then);
-  else then(editor);
+  if (editor.document.dirty())
+    editor.dialogs.afterUnsaved = std::move(then);
+  else
+    then(editor);
 }
 
 void newDocument(Editor& editor) {
@@ -110,7 +113,8 @@ void saveAs(Editor& editor, std::function<void(Editor&)> then) {
 
 void askExport(Editor& editor) {
   const std::string view = shownView(editor);
-  if (view.empty()) return editor.messages.hint("There is no output to export: add a View node and link an image to it.");
+  if (view.empty())
+    return editor.messages.hint("There is no output to export: add a View node and link an image to it.");
   BrowserRequest request;
   request.title = "Export picture as scene-linear EXR";
   request.button = "Export";

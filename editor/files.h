@@ -1,5 +1,6 @@
 #pragma once
-// Opening, saving and exporting documents, with the questions that go with them. Each may return before it is done (a dialog is open).
+// Opening, saving and exporting documents, with the questions that go with them. Each may return before it is
+// done (a dialog is open).
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -13,7 +14,8 @@ void withSavedDocument(Editor& editor, std::function<void(Editor&)> then);
 
 void newDocument(Editor& editor);
 void askOpen(Editor& editor);
-/// Loads at once; what the file's faults are is shown, and a file that cannot be read leaves the document as it is. False: not loaded.
+/// Loads at once; what the file's faults are is shown, and a file that cannot be read leaves the document as
+/// it is. False: not loaded.
 bool openFile(Editor& editor, const std::filesystem::path& path);
 /// A preset that is part of the program ("default.json"): opens as an unnamed document.
 bool openPreset(Editor& editor, const std::string& name);

@@ -16,7 +16,8 @@ std::string presetLabel(std::string_view path) {
   if (label.ends_with(".json")) label.resize(label.size() - 5);
   for (char& c : label)
     if (c == '_' || c == '-') c = ' ';
-  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z')
+    label[0] = static_cast<char>(label[0] - 'a' + 'A');
   return label;
 }
 
@@ -31,7 +32,8 @@ void openMenus(Editor& editor) {
   if (!open) return;
   for (const EmbeddedFile& file : embedded_presets()) {
     if (file.path.find('/') != std::string_view::npos || !file.path.ends_with(".json")) continue;
-    if (ImGui::MenuItem(presetLabel(file.path).c_str())) withSavedDocument(editor, [name = std::string(file.path)](Editor& e) { openPreset(e, name); });
+    if (ImGui::MenuItem(presetLabel(file.path).c_str()))
+      withSavedDocument(editor, [name = std::string(file.path)](Editor& e) { openPreset(e, name); });
     editor.trace.item("preset/" + std::string(file.path));
   }
   ImGui::EndMenu();
@@ -62,7 +64,8 @@ float drawMenuBar(Editor& editor) {
     const std::string name = documentName(editor) + (editor.document.dirty() ? " \xe2\x80\xa2" : "");
     const float width = textWidth(theme.small, name), right = ImGui::GetWindowWidth() - theme.space(3);
     if (right - width > ImGui::GetCursorPosX())
-      drawText(ImGui::GetWindowDrawList(), theme.small, {right - width, 0.5f * (height - theme.small->FontSize)}, palette::kTextDim, name, width + 1);
+      drawText(ImGui::GetWindowDrawList(), theme.small,
+               {right - width, 0.5f * (height - theme.small->FontSize)}, palette::kTextDim, name, width + 1);
     ImGui::EndMainMenuBar();
   }
   ImGui::PopStyleVar(3);

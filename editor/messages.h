@@ -24,7 +24,9 @@ class Messages {
   log::Level level() const { return level_; }
 
  private:
-  double lifeMs() const { return level_ == log::Level::Error ? 20000 : level_ == log::Level::Warning ? 9000 : 5000; }
+  double lifeMs() const {
+    return level_ == log::Level::Error ? 20000 : level_ == log::Level::Warning ? 9000 : 5000;
+  }
   void set(log::Level level, std::string text) {
     log::write(level, text);
     level_ = level, text_ = std::move(text), age_.restart();

@@ -6,11 +6,12 @@ namespace pileus::editor {
 namespace {
 
 constexpr double kBudgetMs = 30;
-constexpr double kDraftBudgetMs = 60;    // a draft is worth a longer frame
-constexpr double kDraftPatienceMs = 400; // then a newer request replaces an unfinished draft
+constexpr double kDraftBudgetMs = 60;     // a draft is worth a longer frame
+constexpr double kDraftPatienceMs = 400;  // then a newer request replaces an unfinished draft
 
 bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
-  return a.revision == b.revision && a.view == b.view && a.size == b.size && a.freeCamera == b.freeCamera && a.folder == b.folder;
+  return a.revision == b.revision && a.view == b.view && a.size == b.size && a.freeCamera == b.freeCamera &&
+         a.folder == b.folder;
 }
 
 }  // namespace
@@ -37,9 +38,10 @@ void Preview::step(const PreviewRequest& wanted) {
   if (touched_ && !interacting()) touched_ = false;
   if (changed) {
     paused_ = false;
-    // An unfinished draft is finished first, unless it takes too long: otherwise a steady drag would never show anything.
-    const bool finishFirst = currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs && wanted.view == current_.view &&
-                             draftAge_.ms() < kDraftPatienceMs;
+    // An unfinished draft is finished first, unless it takes too long: otherwise a steady drag would never
+    // show anything.
+    const bool finishFirst = currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs &&
+                             wanted.view == current_.view && draftAge_.ms() < kDraftPatienceMs;
     if (!finishFirst) begin(wanted, !fast_ || fresh_);
   } else if (currentIsDraft_ && complete_ && !interacting()) {
     begin(wanted, false);
@@ -67,7 +69,13 @@ void Preview::step(const PreviewRequest& wanted) {
 
   error_.clear();
   const nodes::NodeStatus& status = evaluator_.status(current_.view);
-  if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped) error_ = status.error.message;
+  if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped) {
+    error_ = status.error.message;
+    // What failed upstream says more than that this was skipped.
+    for (const auto& [name, node] : current_.graph.nodes)
+      if (evaluator_.status(name).state == nodes::NodeState::Failed)
+        error_ = evaluator_.status(name).error.message;
+  }
   takePicture(currentIsDraft_);
 }
 
@@ -76,7 +84,8 @@ void Preview::takePicture(bool draft) {
   const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
   if (!image || !image->picture || !error_.empty()) return;
   // A picture that has no full pass yet replaces only nothing at all.
-  if (image->picture->samples < 1 && image->picture->fraction < 1 && picture_ && picture_ != image->picture) return;
+  if (image->picture->samples < 1 && image->picture->fraction < 1 && picture_ && picture_ != image->picture)
+    return;
   picture_ = image->picture;
   draftShown_ = draft;
 }
@@ -85,7 +94,9 @@ std::string Preview::waitingFor() const {
   if (complete_) return {};
   for (const auto& [name, node] : current_.graph.nodes) {
     const nodes::NodeStatus& status = evaluator_.status(name);
-    if (status.state == nodes::NodeState::Pending && !status.what.empty() && !status.what.starts_with("Waiting for")) return status.what;
+    if (status.state == nodes::NodeState::Pending && !status.what.empty() &&
+        !status.what.starts_with("Waiting for"))
+      return status.what;
   }
   return {};
 }

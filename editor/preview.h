@@ -1,7 +1,7 @@
 #pragma once
-// Keeps the viewport's picture up to date: after each change a draft, then, when nothing is dragged, the final picture within a time
-// budget per frame.
-// The last good picture stays until the new one has something to show. GL thread.
+// Keeps the viewport's picture up to date: after each change a draft, then, when nothing is dragged, the
+// final picture within a time budget per frame. The last good picture stays until the new one has something
+// to show. GL thread.
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +16,8 @@ namespace pileus::editor {
 /// What the viewport wants to see.
 struct PreviewRequest {
   nodes::Graph graph;
-  std::uint64_t revision = 0;             ///< of the document: equal revisions are equal graphs
-  std::string view;                       ///< the output node to evaluate; "" = none
+  std::uint64_t revision = 0;  ///< of the document: equal revisions are equal graphs
+  std::string view;            ///< the output node to evaluate; "" = none
   ivec2 size{0};
   std::optional<scene::Camera> freeCamera;
   std::filesystem::path folder;
@@ -35,10 +35,13 @@ class Preview {
 
   bool paused() const { return paused_; }
   bool complete() const { return complete_; }
-  bool settled() const { return complete_ && !currentIsDraft_; }  ///< nothing more will come
-  bool draft() const { return draftShown_; }                 ///< the picture shown is a draft
-  bool wantsFrame() const;                                   ///< call step() again at once
-  bool waiting() const { return !complete_ && report_.waitingForJobs; }  ///< for a background job: a wake-up will come
+  bool settled() const { return complete_ && !currentIsDraft_; }    ///< nothing more will come
+  bool refining() const { return !complete_ && !currentIsDraft_; }  ///< the final picture is on its way
+  bool draft() const { return draftShown_; }                        ///< the picture shown is a draft
+  bool wantsFrame() const;                                          ///< call step() again at once
+  bool waiting() const {
+    return !complete_ && report_.waitingForJobs;
+  }  ///< for a background job: a wake-up will come
   double fraction() const { return report_.fraction; }
   /// "Baking cloud": what a pending node says; "" = nothing pends.
   std::string waitingFor() const;
@@ -65,7 +68,7 @@ class Preview {
   Stopwatch rest_, draftAge_;
   bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;
   bool currentIsDraft_ = false, fresh_ = true;
-  bool fast_ = false;                     ///< the last final picture took less than one budget: no drafts are needed
+  bool fast_ = false;  ///< the last final picture took less than one budget: no drafts are needed
   double lastStepMs_ = 0;
 };
 

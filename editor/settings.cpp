@@ -13,7 +13,8 @@ using nlohmann::json;
 
 void read(const json& j, const char* key, double& value, double lo, double hi) {
   const auto it = j.find(key);
-  if (it != j.end() && it->is_number() && std::isfinite(it->get<double>())) value = std::clamp(it->get<double>(), lo, hi);
+  if (it != j.end() && it->is_number() && std::isfinite(it->get<double>()))
+    value = std::clamp(it->get<double>(), lo, hi);
 }
 
 void read(const json& j, const char* key, bool& value) {
@@ -41,7 +42,8 @@ Settings settingsFromText(std::string_view text) {
   Settings s;
   const json j = json::parse(text, nullptr, false);
   if (!j.is_object()) return s;
-  if (const auto it = j.find("window"); it != j.end() && it->is_array() && it->size() == 2 && (*it)[0].is_number() && (*it)[1].is_number()) {
+  if (const auto it = j.find("window");
+      it != j.end() && it->is_array() && it->size() == 2 && (*it)[0].is_number() && (*it)[1].is_number()) {
     s.window.x = static_cast<int>(std::clamp((*it)[0].get<double>(), 720.0, 16384.0));
     s.window.y = static_cast<int>(std::clamp((*it)[1].get<double>(), 480.0, 16384.0));
   }

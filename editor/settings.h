@@ -1,5 +1,6 @@
 #pragma once
-// What the editor remembers between sessions (never part of a document): settings.json in the configuration folder.
+// What the editor remembers between sessions (never part of a document): settings.json in the configuration
+// folder.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,11 +12,11 @@ namespace pileus::editor {
 
 struct Settings {
   ivec2 window{1440, 900};
-  double viewportShare = 0.56;      ///< of the height that viewport and graph divide
-  double parametersWidth = 340;     ///< design pixels
-  double logHeight = 160;           ///< design pixels
-  double viewportResolution = 1;    ///< rendered pixels per panel pixel
-  bool showTimes = false;           ///< milliseconds on nodes
+  double viewportShare = 0.56;    ///< of the height that viewport and graph divide
+  double parametersWidth = 340;   ///< design pixels
+  double logHeight = 160;         ///< design pixels
+  double viewportResolution = 1;  ///< rendered pixels per panel pixel
+  bool showTimes = false;         ///< milliseconds on nodes
   bool showLog = false;
   std::vector<std::string> recentFiles;    ///< absolute, newest first
   std::vector<std::string> recentNodes;    ///< node type ids, newest first
@@ -27,7 +28,8 @@ struct Settings {
 /// Moves `entry` to the front and keeps at most `limit`.
 void remember(std::vector<std::string>& list, const std::string& entry, std::size_t limit = 12);
 
-/// Unknown keys are ignored, wrong or absurd values replaced by the default: a damaged file never stops the editor.
+/// Unknown keys are ignored, wrong or absurd values replaced by the default: a damaged file never stops the
+/// editor.
 Settings settingsFromText(std::string_view json);
 std::string settingsText(const Settings& settings);
 

@@ -12,12 +12,14 @@ namespace {
 
 constexpr float kCanvasText = 16;  // canvas units of a node's text line
 
-const ImWchar kTextRange[] = {0x20, 0x7e, 0xa0, 0xff, 0x131, 0x131, 0x2010, 0x2027, 0x2032, 0x203a, 0x2070, 0x207f,
-                              0x2190, 0x2193, 0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0};
+const ImWchar kTextRange[] = {0x20,   0x7e,   0xa0,   0xff,   0x131,  0x131,  0x2010,
+                              0x2027, 0x2032, 0x203a, 0x2070, 0x207f, 0x2190, 0x2193,
+                              0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0};
 const ImWchar kCanvasRange[] = {0x20, 0x7e, 0xb0, 0xb7, 0xc0, 0xff, 0x2010, 0x2026, 0x2212, 0x2212, 0};
-const ImWchar kIconRange[] = {0xf000, 0xf002, 0xf00c, 0xf00d, 0xf015, 0xf017, 0xf021, 0xf021, 0xf030, 0xf030, 0xf03a, 0xf03e, 0xf042, 0xf042,
-                              0xf04c, 0xf04c, 0xf05a, 0xf05e, 0xf062, 0xf06a, 0xf071, 0xf07c, 0xf0c2, 0xf0c2,
-                              0xf0e2, 0xf0e2, 0xf108, 0xf108, 0xf185, 0xf185, 0xf1b2, 0xf1b2, 0xf1de, 0xf1ec, 0};
+const ImWchar kIconRange[] = {0xf000, 0xf002, 0xf00c, 0xf00d, 0xf015, 0xf017, 0xf021, 0xf021, 0xf030,
+                              0xf030, 0xf03a, 0xf03e, 0xf042, 0xf042, 0xf04c, 0xf04c, 0xf05a, 0xf05e,
+                              0xf062, 0xf06a, 0xf071, 0xf07c, 0xf0c2, 0xf0c2, 0xf0e2, 0xf0e2, 0xf108,
+                              0xf108, 0xf185, 0xf185, 0xf1b2, 0xf1b2, 0xf1de, 0xf1ec, 0};
 
 std::string_view fontBytes(std::string_view ending) {
   for (const EmbeddedFile& file : embedded_fonts())
@@ -37,7 +39,8 @@ ImFont* addFont(std::string_view ending, float pixels, const ImWchar* range, boo
   config.OversampleH = pixels < 20 ? 2 : 1;
   config.OversampleV = 1;
   config.RasterizerMultiply = 1.1f;
-  ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()), pixels, &config, range);
+  ImFont* font = atlas.AddFontFromMemoryTTF(const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
+                                            pixels, &config, range);
   const std::string_view glyphs = fontBytes("forkawesome-webfont.ttf");
   if (icons && !glyphs.empty()) {
     ImFontConfig merge;
@@ -46,7 +49,8 @@ ImFont* addFont(std::string_view ending, float pixels, const ImWchar* range, boo
     merge.PixelSnapH = true;
     merge.GlyphMinAdvanceX = std::round(pixels * 1.1f);
     merge.GlyphOffset.y = std::round(pixels * 0.04f);
-    atlas.AddFontFromMemoryTTF(const_cast<char*>(glyphs.data()), static_cast<int>(glyphs.size()), std::round(pixels * 0.92f), &merge, kIconRange);
+    atlas.AddFontFromMemoryTTF(const_cast<char*>(glyphs.data()), static_cast<int>(glyphs.size()),
+                               std::round(pixels * 0.92f), &merge, kIconRange);
   }
   return font;
 }
@@ -77,7 +81,9 @@ void setStyle(const Theme& theme) {
   s.CircleTessellationMaxError = 0.2f;
   s.CurveTessellationTol = 0.8f;
 
-  const auto set = [&](ImGuiCol slot, ImU32 color) { s.Colors[slot] = ImGui::ColorConvertU32ToFloat4(color); };
+  const auto set = [&](ImGuiCol slot, ImU32 color) {
+    s.Colors[slot] = ImGui::ColorConvertU32ToFloat4(color);
+  };
   set(ImGuiCol_Text, palette::kText);
   set(ImGuiCol_TextDisabled, palette::kTextFaint);
   set(ImGuiCol_WindowBg, palette::kPanel);
@@ -120,11 +126,16 @@ struct Category {
   const char* icon;
 };
 constexpr Category kCategories[] = {
-    {"Volume", IM_COL32(55, 94, 128, 255), icon::kCloud},   {"Light", IM_COL32(140, 106, 43, 255), icon::kSun},
-    {"Shadow", IM_COL32(96, 73, 134, 255), icon::kAdjust},  {"Camera", IM_COL32(52, 112, 84, 255), icon::kCamera},
-    {"Solid", IM_COL32(118, 84, 62, 255), icon::kCube},     {"Render", IM_COL32(139, 68, 68, 255), icon::kPicture},
-    {"Output", IM_COL32(124, 62, 92, 255), icon::kDesktop}, {"Image", IM_COL32(128, 78, 58, 255), icon::kPicture},
-    {"Math", IM_COL32(76, 86, 99, 255), icon::kMath},       {"Time", IM_COL32(66, 98, 98, 255), icon::kClock},
+    {"Volume", IM_COL32(55, 94, 128, 255), icon::kCloud},
+    {"Light", IM_COL32(140, 106, 43, 255), icon::kSun},
+    {"Shadow", IM_COL32(96, 73, 134, 255), icon::kAdjust},
+    {"Camera", IM_COL32(52, 112, 84, 255), icon::kCamera},
+    {"Solid", IM_COL32(118, 84, 62, 255), icon::kCube},
+    {"Render", IM_COL32(139, 68, 68, 255), icon::kPicture},
+    {"Output", IM_COL32(124, 62, 92, 255), icon::kDesktop},
+    {"Image", IM_COL32(128, 78, 58, 255), icon::kPicture},
+    {"Math", IM_COL32(76, 86, 99, 255), icon::kMath},
+    {"Time", IM_COL32(66, 98, 98, 255), icon::kClock},
 };
 
 }  // namespace
@@ -143,7 +154,8 @@ Theme makeTheme(float scale) {
   theme.small = addFont("Inter-Regular.otf", theme.px(14), kTextRange, true);
   theme.mono = addFont("JetBrainsMono-Regular.ttf", theme.px(15), kTextRange, true);
 
-  for (const float zoom : {0.08f, 0.11f, 0.15f, 0.2f, 0.28f, 0.38f, 0.5f}) theme.zoomLevels.push_back({zoom * scale, nullptr, nullptr});
+  for (const float zoom : {0.08f, 0.11f, 0.15f, 0.2f, 0.28f, 0.38f, 0.5f})
+    theme.zoomLevels.push_back({zoom * scale, nullptr, nullptr});
   for (const float pixels : {10.f, 11.f, 12.f, 13.f, 14.f, 16.f, 18.f, 20.f, 24.f, 28.f}) {
     const float baked = std::round(pixels * scale);
     if (pixels == kCanvasText) theme.defaultZoom = static_cast<int>(theme.zoomLevels.size());
@@ -157,16 +169,26 @@ Theme makeTheme(float scale) {
 ImU32 socketColor(nodes::SocketType type) {
   using T = nodes::SocketType;
   switch (type) {
-    case T::Volume: return IM_COL32(122, 182, 232, 255);
-    case T::Light: return IM_COL32(244, 200, 92, 255);
-    case T::Metric: return IM_COL32(184, 146, 232, 255);
-    case T::Camera: return IM_COL32(112, 204, 156, 255);
-    case T::Solid: return IM_COL32(204, 152, 116, 255);
-    case T::Image: return IM_COL32(236, 124, 120, 255);
-    case T::Number: return IM_COL32(164, 174, 186, 255);
-    case T::Vector: return IM_COL32(142, 158, 244, 255);
-    case T::Color: return IM_COL32(234, 164, 206, 255);
-    case T::Text: return IM_COL32(160, 210, 202, 255);
+    case T::Volume:
+      return IM_COL32(122, 182, 232, 255);
+    case T::Light:
+      return IM_COL32(244, 200, 92, 255);
+    case T::Metric:
+      return IM_COL32(184, 146, 232, 255);
+    case T::Camera:
+      return IM_COL32(112, 204, 156, 255);
+    case T::Solid:
+      return IM_COL32(204, 152, 116, 255);
+    case T::Image:
+      return IM_COL32(236, 124, 120, 255);
+    case T::Number:
+      return IM_COL32(164, 174, 186, 255);
+    case T::Vector:
+      return IM_COL32(142, 158, 244, 255);
+    case T::Color:
+      return IM_COL32(234, 164, 206, 255);
+    case T::Text:
+      return IM_COL32(160, 210, 202, 255);
   }
   return palette::kTextDim;
 }
@@ -184,13 +206,15 @@ const char* categoryIcon(std::string_view category) {
 }
 
 ImU32 faded(ImU32 color, float alpha) {
-  const auto a = static_cast<ImU32>(static_cast<float>(color >> IM_COL32_A_SHIFT) * std::clamp(alpha, 0.0f, 1.0f));
+  const auto a =
+      static_cast<ImU32>(static_cast<float>(color >> IM_COL32_A_SHIFT) * std::clamp(alpha, 0.0f, 1.0f));
   return (color & ~IM_COL32_A_MASK) | (a << IM_COL32_A_SHIFT);
 }
 
 ImU32 mixed(ImU32 a, ImU32 b, float t) {
   const ImVec4 x = ImGui::ColorConvertU32ToFloat4(a), y = ImGui::ColorConvertU32ToFloat4(b);
-  return ImGui::ColorConvertFloat4ToU32({x.x + (y.x - x.x) * t, x.y + (y.y - x.y) * t, x.z + (y.z - x.z) * t, x.w + (y.w - x.w) * t});
+  return ImGui::ColorConvertFloat4ToU32(
+      {x.x + (y.x - x.x) * t, x.y + (y.y - x.y) * t, x.z + (y.z - x.z) * t, x.w + (y.w - x.w) * t});
 }
 
 }  // namespace pileus::editor

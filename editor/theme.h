@@ -40,18 +40,18 @@ inline constexpr ImU32 kGood = IM_COL32(116, 196, 144, 255);
 
 /// Canvas zoom is always one of these levels, so that each text size is baked and sharp.
 struct ZoomLevel {
-  float zoom = 1;             ///< screen pixels per canvas unit, UI scale included
-  ImFont* text = nullptr;     ///< null: too small to read, no text is drawn
+  float zoom = 1;          ///< screen pixels per canvas unit, UI scale included
+  ImFont* text = nullptr;  ///< null: too small to read, no text is drawn
   ImFont* strong = nullptr;
 };
 
 struct Theme {
   float scale = 1;
-  ImFont* body = nullptr;     ///< text, 13 px em
-  ImFont* strong = nullptr;   ///< the same, semi-bold
-  ImFont* title = nullptr;    ///< headings
-  ImFont* small = nullptr;    ///< chips, units, hints
-  ImFont* mono = nullptr;     ///< figures
+  ImFont* body = nullptr;             ///< text, 13 px em
+  ImFont* strong = nullptr;           ///< the same, semi-bold
+  ImFont* title = nullptr;            ///< headings
+  ImFont* small = nullptr;            ///< chips, units, hints
+  ImFont* mono = nullptr;             ///< figures
   std::vector<ZoomLevel> zoomLevels;  ///< ascending
   int defaultZoom = 0;                ///< index of zoom 1 x scale
 
@@ -61,7 +61,8 @@ struct Theme {
   float space(float steps = 1) const { return px(4 * steps); }
 };
 
-/// Loads fonts into ImGui's atlas and sets its style. Call once, after the ImGui context exists and before the first frame.
+/// Loads fonts into ImGui's atlas and sets its style. Call once, after the ImGui context exists and before
+/// the first frame.
 Theme makeTheme(float scale);
 
 ImU32 socketColor(nodes::SocketType type);

@@ -1,6 +1,7 @@
 #pragma once
-// For tests that drive the window: when $PILEUS_UI_TRACE names a file, every drawn frame that looks different leaves there, as JSON, where
-// things are (window pixels) and what the document holds. Off, everything here is a test of one bool.
+// For tests that drive the window: when $PILEUS_UI_TRACE names a file, every drawn frame that looks different
+// leaves there, as JSON, where things are (window pixels) and what the document holds. Off, everything here
+// is a test of one bool.
 #include <imgui.h>
 
 #include <filesystem>
@@ -18,7 +19,8 @@ class UiTrace {
   UiTrace();
   bool on() const { return !path_.empty(); }
   void begin() { rects_.clear(), notes_.clear(); }
-  /// "node/Sun", "socket/Sun/out/light", "param/extinction", "menu/file.save", "search/0": a name's rectangle this frame.
+  /// "node/Sun", "socket/Sun/out/light", "param/extinction", "menu/file.save", "search/0": a name's rectangle
+  /// this frame.
   void rect(std::string name, ImVec2 min, ImVec2 max) {
     if (on()) rects_[std::move(name)] = {min.x, min.y, max.x, max.y};
   }

@@ -12,7 +12,8 @@ bool beginCombo(const Theme& theme, const char* id, std::string_view shown, floa
   // Within an open combo the window is the list: draw on the one below.
   ImDrawList* draw = open ? ImGui::GetForegroundDrawList() : ImGui::GetWindowDrawList();
   const float x = at.x + width - theme.px(15), y = at.y + 0.5f * height, r = theme.px(3.5f);
-  drawText(draw, theme.body, {at.x + theme.space(2), y - 0.5f * theme.body->FontSize}, palette::kText, shown, width - theme.px(32));
+  drawText(draw, theme.body, {at.x + theme.space(2), y - 0.5f * theme.body->FontSize}, palette::kText, shown,
+           width - theme.px(32));
   const ImVec2 chevron[3] = {{x - r, y - 0.5f * r}, {x, y + 0.5f * r}, {x + r, y - 0.5f * r}};
   draw->AddPolyline(chevron, 3, palette::kTextDim, 0, 1.5f * theme.scale);
   return open;

@@ -45,7 +45,9 @@ bool printable(int key) { return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_
 
 Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 size) {
   glfwSetErrorCallback(onError);
-  if (!glfwInit()) return fail(Code::Gpu, "No window can be opened: {}", lastError.empty() ? "no display was found" : lastError);
+  if (!glfwInit())
+    return fail(Code::Gpu, "No window can be opened: {}",
+                lastError.empty() ? "no display was found" : lastError);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -59,7 +61,8 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 s
   if (!window->window_) {
     const std::string reason = lastError;
     glfwTerminate();
-    return fail(Code::Gpu, "No OpenGL 4.5 window can be opened: {}", reason.empty() ? "the driver gave no reason" : reason);
+    return fail(Code::Gpu, "No OpenGL 4.5 window can be opened: {}",
+                reason.empty() ? "the driver gave no reason" : reason);
   }
   glfwMakeContextCurrent(window->window_);
   glfwSwapInterval(1);
@@ -93,20 +96,28 @@ void Window::installCallbacks() {
   using Kind = InputEvent::Kind;
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
     std::deque<InputEvent>& queue = of(w)->queue_;
-    if (!queue.empty() && queue.back().kind == Kind::Move) queue.back().at = {x, y};
-    else queue.push_back({Kind::Move, {x, y}});
+    if (!queue.empty() && queue.back().kind == Kind::Move)
+      queue.back().at = {x, y};
+    else
+      queue.push_back({Kind::Move, {x, y}});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
     dvec2 at;
     glfwGetCursorPos(w, &at.x, &at.y);
-    if (button >= 0 && button < 5) of(w)->queue_.push_back({Kind::Button, at, button, action == GLFW_PRESS, false, mods});
+    if (button >= 0 && button < 5)
+      of(w)->queue_.push_back({Kind::Button, at, button, action == GLFW_PRESS, false, mods});
   });
-  glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { of(w)->queue_.push_back({Kind::Wheel, {x, y}}); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+    of(w)->queue_.push_back({Kind::Wheel, {x, y}});
+  });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
     if (key >= 0 && key <= GLFW_KEY_LAST)
-      of(w)->queue_.push_back({Kind::Key, dvec2(0), layoutKey(key, scancode), action != GLFW_RELEASE, action == GLFW_REPEAT, mods});
+      of(w)->queue_.push_back({Kind::Key, dvec2(0), layoutKey(key, scancode), action != GLFW_RELEASE,
+                               action == GLFW_REPEAT, mods});
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { of(w)->queue_.push_back({Kind::Char, dvec2(0), static_cast<int>(code)}); });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
+    of(w)->queue_.push_back({Kind::Char, dvec2(0), static_cast<int>(code)});
+  });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
     of(w)->queue_.push_back({Kind::Focus, dvec2(0), 0, focused == GLFW_TRUE});
   });
@@ -124,8 +135,10 @@ void Window::startUi() {
 }
 
 void Window::waitEvents(double seconds) {
-  if (seconds <= 0) glfwPollEvents();
-  else glfwWaitEventsTimeout(seconds);
+  if (seconds <= 0)
+    glfwPollEvents();
+  else
+    glfwWaitEventsTimeout(seconds);
 }
 
 void Window::wake() { glfwPostEmptyEvent(); }
@@ -154,22 +167,27 @@ bool Window::feed(const InputEvent& e) {
       wheeled_ = true;
       break;
     case Kind::Key: {
-      const bool typing = io.WantTextInput && printable(e.code) && !(e.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT));
+      const bool typing =
+          io.WantTextInput && printable(e.code) && !(e.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT));
       if (e.down) {
         const bool modifier = e.code >= GLFW_KEY_LEFT_SHIFT;
         // Which panel a key belongs to is known one frame after the pointer has come to it.
         if (moved_ && !modifier) return false;
         if (!typing && !modifier && !keys_.empty()) return false;
         if (!modifier)
-          keys_.push_back({e.code, (e.mods & GLFW_MOD_CONTROL) != 0, (e.mods & GLFW_MOD_SHIFT) != 0, (e.mods & GLFW_MOD_ALT) != 0, e.repeat});
+          keys_.push_back({e.code, (e.mods & GLFW_MOD_CONTROL) != 0, (e.mods & GLFW_MOD_SHIFT) != 0,
+                           (e.mods & GLFW_MOD_ALT) != 0, e.repeat});
         keysDownNow_.push_back(e.code);
-      } else if (!typing && std::find(keysDownNow_.begin(), keysDownNow_.end(), e.code) != keysDownNow_.end()) {
+      } else if (!typing &&
+                 std::find(keysDownNow_.begin(), keysDownNow_.end(), e.code) != keysDownNow_.end()) {
         return false;
       }
       io.KeysDown[e.code] = e.down;
       break;
     }
-    case Kind::Char: io.AddInputCharacter(static_cast<unsigned>(e.code)); break;
+    case Kind::Char:
+      io.AddInputCharacter(static_cast<unsigned>(e.code));
+      break;
     case Kind::Focus:
       io.AddFocusEvent(e.down);
       if (!e.down) {

@@ -1,6 +1,7 @@
 #pragma once
-// The window: GLFW, its OpenGL 4.5 core context and ImGui's backends. Input events are queued and handed to ImGui in order, at most one
-// click or key per frame, so that nothing is lost or reordered when frames are slow. UI thread only (but wake()).
+// The window: GLFW, its OpenGL 4.5 core context and ImGui's backends. Input events are queued and handed to
+// ImGui in order, at most one click or key per frame, so that nothing is lost or reordered when frames are
+// slow. UI thread only (but wake()).
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -24,22 +25,23 @@ struct KeyPress {
 
 struct InputEvent {
   enum class Kind { Move, Button, Wheel, Key, Char, Focus } kind = Kind::Move;
-  dvec2 at{0};           ///< Move: window pixels; Wheel: offsets
-  int code = 0;          ///< button, key or code point
+  dvec2 at{0};   ///< Move: window pixels; Wheel: offsets
+  int code = 0;  ///< button, key or code point
   bool down = false, repeat = false;
   int mods = 0;
 };
 
 class Window {
  public:
-  /// Error (Gpu) when no OpenGL 4.5 core window can be made; says what failed. Makes the context current and creates ImGui's.
+  /// Error (Gpu) when no OpenGL 4.5 core window can be made; says what failed. Makes the context current and
+  /// creates ImGui's.
   static Result<std::unique_ptr<Window>> create(const std::string& title, ivec2 size);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  float uiScale() const { return scale_; }      ///< $PILEUS_UI_SCALE, else the monitor's
-  void startUi();                               ///< after fonts are chosen: creates the GL objects of the interface
+  float uiScale() const { return scale_; }  ///< $PILEUS_UI_SCALE, else the monitor's
+  void startUi();  ///< after fonts are chosen: creates the GL objects of the interface
 
   /// Sleeps until there is an event or `seconds` have passed; 0 polls.
   void waitEvents(double seconds);
@@ -48,8 +50,8 @@ class Window {
   bool inputPending() const { return !queue_.empty(); }  ///< more events wait for the next frame
   bool hadInput() const { return hadInput_; }            ///< this frame got events
 
-  void beginFrame();                            ///< feeds events, starts the ImGui frame
-  void endFrame(unsigned clearColor);           ///< draws it and swaps
+  void beginFrame();                   ///< feeds events, starts the ImGui frame
+  void endFrame(unsigned clearColor);  ///< draws it and swaps
   std::span<const KeyPress> keys() const { return keys_; }
   std::vector<std::filesystem::path> takeDroppedFiles() { return std::exchange(dropped_, {}); }
 
@@ -61,7 +63,7 @@ class Window {
  private:
   Window() = default;
   void installCallbacks();
-  bool feed(const InputEvent& event);           ///< false: belongs to the next frame
+  bool feed(const InputEvent& event);  ///< false: belongs to the next frame
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false, moved_ = false;

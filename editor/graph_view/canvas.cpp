@@ -44,12 +44,16 @@ void frame(Editor& editor, const Layout& layout, const std::set<std::string>& na
 }
 
 void drawGrid(const Theme& theme, const CanvasView& view) {
-  for (const auto& [step, color] : {std::pair{20.0f, palette::kGrid}, std::pair{100.0f, palette::kGridStrong}}) {
+  for (const auto& [step, color] :
+       {std::pair{20.0f, palette::kGrid}, std::pair{100.0f, palette::kGridStrong}}) {
     const float pixels = step * view.level.zoom;
     if (pixels < 9 * theme.scale) continue;
-    const vec2 first = view.min - vec2(std::fmod(view.min.x - view.origin.x, pixels), std::fmod(view.min.y - view.origin.y, pixels));
-    for (float x = first.x - pixels; x < view.max.x; x += pixels) view.draw->AddLine({std::floor(x) + 0.5f, view.min.y}, {std::floor(x) + 0.5f, view.max.y}, color);
-    for (float y = first.y - pixels; y < view.max.y; y += pixels) view.draw->AddLine({view.min.x, std::floor(y) + 0.5f}, {view.max.x, std::floor(y) + 0.5f}, color);
+    const vec2 first = view.min - vec2(std::fmod(view.min.x - view.origin.x, pixels),
+                                       std::fmod(view.min.y - view.origin.y, pixels));
+    for (float x = first.x - pixels; x < view.max.x; x += pixels)
+      view.draw->AddLine({std::floor(x) + 0.5f, view.min.y}, {std::floor(x) + 0.5f, view.max.y}, color);
+    for (float y = first.y - pixels; y < view.max.y; y += pixels)
+      view.draw->AddLine({view.min.x, std::floor(y) + 0.5f}, {view.max.x, std::floor(y) + 0.5f}, color);
   }
 }
 
@@ -67,7 +71,9 @@ PointerInput pointerInput(const Editor& editor, bool hovered, Hit hit) {
   in.alt = io.KeyAlt;
   in.cancel = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   // The window lost the pointer without telling.
-  if (editor.canvas.interaction.busy() && !ImGui::IsAnyMouseDown() && !in.released[0] && !in.released[1] && !in.released[2]) in.cancel = true;
+  if (editor.canvas.interaction.busy() && !ImGui::IsAnyMouseDown() && !in.released[0] && !in.released[1] &&
+      !in.released[2])
+    in.cancel = true;
   in.wheel = hovered ? io.MouseWheel : 0;
   in.over = hovered;
   in.hit = std::move(hit);
@@ -96,28 +102,36 @@ void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, con
   const bool dragging = canvas.interaction.state == Interaction::State::DraggingLink;
   const std::vector<nodes::Link>& links = editor.document.graph().links;
   for (const NodePlace& place : layout.nodes) {
-    const bool underPointer = hit.kind != Hit::Kind::Link && hit.kind != Hit::Kind::Canvas && hit.node == place.name;
+    const bool underPointer =
+        hit.kind != Hit::Kind::Link && hit.kind != Hit::Kind::Canvas && hit.node == place.name;
     NodeLook look;
     look.selected = editor.document.selection().contains(place.name);
     look.hovered = underPointer && hit.kind == Hit::Kind::Node && !dragging;
     look.showTimes = editor.settings.showTimes;
     look.status = &editor.preview.evaluator().status(place.name);
-    if (underPointer && hit.kind != Hit::Kind::Node) look.hoveredSocket = hit.socket, look.hoveredInput = hit.kind == Hit::Kind::Input;
+    if (underPointer && hit.kind != Hit::Kind::Node)
+      look.hoveredSocket = hit.socket, look.hoveredInput = hit.kind == Hit::Kind::Input;
     if (dragging)
-      look.accepts = [&](const SocketPlace& s) { return !canvas.refusals.contains(socketKey(place.name, s.id, s.input)); };
+      look.accepts = [&](const SocketPlace& s) {
+        return !canvas.refusals.contains(socketKey(place.name, s.id, s.input));
+      };
     look.linked = [&](const SocketPlace& s) {
-      return std::any_of(links.begin(), links.end(), [&](const nodes::Link& l) { return l.toNode == place.name && l.toSocket == s.id; });
+      return std::any_of(links.begin(), links.end(),
+                         [&](const nodes::Link& l) { return l.toNode == place.name && l.toSocket == s.id; });
     };
     drawNode(editor.theme, view, place, look);
     editor.trace.rect("node/" + place.name, im(view.screen(place.min)), im(view.screen(place.max)));
-    editor.trace.rect("header/" + place.name, im(view.screen(place.min)), im(view.screen({place.max.x, place.min.y + place.header})));
+    editor.trace.rect("header/" + place.name, im(view.screen(place.min)),
+                      im(view.screen({place.max.x, place.min.y + place.header})));
     const float r = view.px(kSocketRadius);
     for (const SocketPlace& s : place.sockets)
-      editor.trace.rect("socket/" + place.name + (s.input ? "/in/" : "/out/") + s.id, im(view.screen(s.at) - r), im(view.screen(s.at) + r));
+      editor.trace.rect("socket/" + place.name + (s.input ? "/in/" : "/out/") + s.id,
+                        im(view.screen(s.at) - r), im(view.screen(s.at) + r));
   }
 }
 
-/// The link under way: to the socket it would snap to, else to the pointer; a refusal stands beside the pointer.
+/// The link under way: to the socket it would snap to, else to the pointer; a refusal stands beside the
+/// pointer.
 void drawDraggedLink(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
   const Interaction& m = editor.canvas.interaction;
   if (m.state != Interaction::State::DraggingLink) return;
@@ -126,7 +140,9 @@ void drawDraggedLink(Editor& editor, const CanvasView& view, const Layout& layou
   if (!fixed) return;
   vec2 loose = view.canvas(m.last);
   const bool onSocket = hit.kind == Hit::Kind::Input || hit.kind == Hit::Kind::Output;
-  const auto refusal = onSocket ? editor.canvas.refusals.find(socketKey(hit.node, hit.socket, hit.kind == Hit::Kind::Input)) : editor.canvas.refusals.end();
+  const auto refusal =
+      onSocket ? editor.canvas.refusals.find(socketKey(hit.node, hit.socket, hit.kind == Hit::Kind::Input))
+               : editor.canvas.refusals.end();
   const bool refused = refusal != editor.canvas.refusals.end();
   if (onSocket && !refused)
     if (const NodePlace* target = findPlace(layout, hit.node))
@@ -134,8 +150,10 @@ void drawDraggedLink(Editor& editor, const CanvasView& view, const Layout& layou
   LinkLook look;
   look.hovered = true;
   const ImU32 color = refused ? palette::kError : socketColor(fixed->type);
-  if (m.link.fromOutput) drawLink(editor.theme, view, fixed->at, loose, color, look);
-  else drawLink(editor.theme, view, loose, fixed->at, color, look);
+  if (m.link.fromOutput)
+    drawLink(editor.theme, view, fixed->at, loose, color, look);
+  else
+    drawLink(editor.theme, view, loose, fixed->at, color, look);
   if (refused && !refusal->second.empty()) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(editor.theme.px(340));
@@ -153,8 +171,11 @@ void drawHints(const Editor& editor, const CanvasView& view) {
   const Theme& theme = editor.theme;
   const vec2 middle = 0.5f * (view.min + view.max);
   const char* lines[] = {"This graph is empty", "Press Tab, or right-click, to add a node"};
-  drawText(view.draw, theme.title, {middle.x - 0.5f * textWidth(theme.title, lines[0]), middle.y - theme.px(24)}, palette::kTextDim, lines[0], 1e4f);
-  drawText(view.draw, theme.body, {middle.x - 0.5f * textWidth(theme.body, lines[1]), middle.y + theme.px(4)}, palette::kTextFaint, lines[1], 1e4f);
+  drawText(view.draw, theme.title,
+           {middle.x - 0.5f * textWidth(theme.title, lines[0]), middle.y - theme.px(24)}, palette::kTextDim,
+           lines[0], 1e4f);
+  drawText(view.draw, theme.body, {middle.x - 0.5f * textWidth(theme.body, lines[1]), middle.y + theme.px(4)},
+           palette::kTextFaint, lines[1], 1e4f);
 }
 
 void drawBox(const Interaction& m, ImDrawList* draw) {
@@ -166,7 +187,9 @@ void drawBox(const Interaction& m, ImDrawList* draw) {
 
 /// What is wrong with the node under the resting pointer, or what it is.
 void drawTooltip(Editor& editor, const Layout& layout, const Hit& hit, bool hovered) {
-  if (!hovered || editor.canvas.interaction.busy() || hit.kind == Hit::Kind::Canvas || hit.kind == Hit::Kind::Link) return;
+  if (!hovered || editor.canvas.interaction.busy() || hit.kind == Hit::Kind::Canvas ||
+      hit.kind == Hit::Kind::Link)
+    return;
   const NodePlace* place = findPlace(layout, hit.node);
   if (!place) return;
   const nodes::NodeStatus& status = editor.preview.evaluator().status(hit.node);
@@ -174,9 +197,13 @@ void drawTooltip(Editor& editor, const Layout& layout, const Hit& hit, bool hove
   ImU32 ink = palette::kText;
   if (hit.kind != Hit::Kind::Node) {
     if (place->type)
-      for (const nodes::SocketSpec& s : hit.kind == Hit::Kind::Input ? place->type->inputs : place->type->outputs)
+      for (const nodes::SocketSpec& s :
+           hit.kind == Hit::Kind::Input ? place->type->inputs : place->type->outputs)
         if (s.id == hit.socket)
-          text = s.label + " (" + std::string(nodes::enumInfo(static_cast<nodes::SocketType*>(nullptr))[static_cast<std::size_t>(s.type)].label) +
+          text = s.label + " (" +
+                 std::string(nodes::enumInfo(
+                                 static_cast<nodes::SocketType*>(nullptr))[static_cast<std::size_t>(s.type)]
+                                 .label) +
                  (s.many ? ", takes many links)" : ")") + (s.help.empty() ? "" : "\n" + s.help);
   } else if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped) {
     text = status.error.message;
@@ -214,21 +241,27 @@ void drawCanvas(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
   draw->AddRectFilled(min, max, palette::kCanvas);
 
   Layout layout = layoutGraph(editor.document.graph(), editor.document.selection());
-  if (canvas.level < 0 || canvas.frameAll) frame(editor, layout, {});
-  else if (canvas.frameSelection) frame(editor, layout, editor.document.selection());
+  if (canvas.level < 0 || canvas.frameAll)
+    frame(editor, layout, {});
+  else if (canvas.frameSelection)
+    frame(editor, layout, editor.document.selection());
   canvas.frameAll = canvas.frameSelection = false;
 
   CanvasView view = viewOf(editor, draw);
   const bool active = hovered || canvas.interaction.busy();
   const vec2 pointer = view.canvas(vec(ImGui::GetIO().MousePos));
-  Hit hit = active ? hitTest(layout, editor.document.graph(), pointer, view.level.zoom / editor.theme.scale, canvas.interaction) : Hit{};
+  Hit hit = active ? hitTest(layout, editor.document.graph(), pointer, view.level.zoom / editor.theme.scale,
+                             canvas.interaction)
+                   : Hit{};
   canvas.pointer = pointer;
   canvas.pointerInside = hovered;
   const PointerInput in = pointerInput(editor, hovered, hit);
   const bool selected = editor.document.selection().contains(hit.node);
   const std::uint64_t revision = editor.document.revision();
-  for (const Command& c : step(canvas.interaction, in, selected, ImGui::GetIO().MouseDragThreshold)) carryOut(editor, view, layout, c);
-  if (editor.document.revision() != revision) layout = layoutGraph(editor.document.graph(), editor.document.selection());
+  for (const Command& c : step(canvas.interaction, in, selected, ImGui::GetIO().MouseDragThreshold))
+    carryOut(editor, view, layout, c);
+  if (editor.document.revision() != revision)
+    layout = layoutGraph(editor.document.graph(), editor.document.selection());
   view = viewOf(editor, draw);
 
   drawGrid(editor.theme, view);

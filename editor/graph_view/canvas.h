@@ -1,5 +1,6 @@
 #pragma once
-// The graph canvas: what it remembers, and drawing it with its pointer handling. Its commands (delete, copy, ...) are in graph_commands.h.
+// The graph canvas: what it remembers, and drawing it with its pointer handling. Its commands (delete, copy,
+// ...) are in graph_commands.h.
 #include <imgui.h>
 
 #include <map>
@@ -16,18 +17,18 @@ struct Editor;
 struct Canvas {
   Interaction interaction;
   NodeSearch search;
-  dvec2 center{0};                         ///< canvas units at the panel's middle
-  int level = -1;                          ///< index into Theme::zoomLevels; -1: not chosen yet
-  float zoomRest = 0;                      ///< part of a level not yet stepped
+  dvec2 center{0};                               ///< canvas units at the panel's middle
+  int level = -1;                                ///< index into Theme::zoomLevels; -1: not chosen yet
+  float zoomRest = 0;                            ///< part of a level not yet stepped
   bool frameAll = true, frameSelection = false;  ///< to be done at the next drawing
-  std::optional<nodes::Link> selectedLink; ///< links are selected apart from nodes, and never part of undo
-  vec2 min{0}, max{0};                     ///< the panel on the screen, last frame
-  vec2 pointer{0};                         ///< canvas units under the pointer, last frame
+  std::optional<nodes::Link> selectedLink;  ///< links are selected apart from nodes, and never part of undo
+  vec2 min{0}, max{0};                      ///< the panel on the screen, last frame
+  vec2 pointer{0};                          ///< canvas units under the pointer, last frame
   bool pointerInside = false;
 
   /// While a link is dragged: why each socket refuses it; sockets that accept are not in it.
   std::map<std::string, std::string> refusals;
-  Hit menuHit;                             ///< what the context menu is about
+  Hit menuHit;  ///< what the context menu is about
 };
 
 /// Key of a socket in Canvas::refusals.

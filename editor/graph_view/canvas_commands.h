@@ -13,13 +13,13 @@ void carryOut(Editor& editor, const CanvasView& view, const Layout& layout, cons
 void drawCanvasMenu(Editor& editor);
 
 // Actions on the selection.
-void deleteSelection(Editor& editor);      ///< or the selected link
+void deleteSelection(Editor& editor);  ///< or the selected link
 void duplicateSelection(Editor& editor);
 void copySelection(Editor& editor);
 void cutSelection(Editor& editor);
 void pasteNodes(Editor& editor);
 void bypassSelection(Editor& editor);
 void selectAllNodes(Editor& editor);
-void searchNode(Editor& editor);           ///< at the pointer, or the middle of the canvas
+void searchNode(Editor& editor);  ///< at the pointer, or the middle of the canvas
 
 }  // namespace pileus::editor

@@ -23,9 +23,11 @@ float drawText(ImDrawList* draw, ImFont* font, vec2 at, ImU32 color, std::string
   const float dots = textWidth(font, kEllipsis);
   if (width < dots) return 0;
   const char* cut = nullptr;
-  const float part = font->CalcTextSizeA(font->FontSize, width - dots, 0, text.data(), text.data() + text.size(), &cut).x;
+  const float part =
+      font->CalcTextSizeA(font->FontSize, width - dots, 0, text.data(), text.data() + text.size(), &cut).x;
   draw->AddText(font, font->FontSize, where, color, text.data(), cut);
-  draw->AddText(font, font->FontSize, {where.x + std::round(part), where.y}, color, kEllipsis.data(), kEllipsis.data() + kEllipsis.size());
+  draw->AddText(font, font->FontSize, {where.x + std::round(part), where.y}, color, kEllipsis.data(),
+                kEllipsis.data() + kEllipsis.size());
   return part + dots;
 }
 

@@ -17,18 +17,26 @@ bool linkEnds(const Layout& layout, const nodes::Link& link, vec2& from, vec2& t
   return true;
 }
 
-void drawLink(const Theme& theme, const CanvasView& view, vec2 from, vec2 to, ImU32 color, const LinkLook& look) {
+void drawLink(const Theme& theme, const CanvasView& view, vec2 from, vec2 to, ImU32 color,
+              const LinkLook& look) {
   const Curve k = linkCurve(from, to);
   const vec2 a = view.screen(k.a), b = view.screen(k.b), c = view.screen(k.c), d = view.screen(k.d);
-  if (!view.visible(glm::min(glm::min(a, b), glm::min(c, d)), glm::max(glm::max(a, b), glm::max(c, d)))) return;
+  if (!view.visible(glm::min(glm::min(a, b), glm::min(c, d)), glm::max(glm::max(a, b), glm::max(c, d))))
+    return;
   const float width = std::clamp(view.px(2.6f), 1.2f * theme.scale, 5.0f * theme.scale);
-  const ImU32 ink = look.selected ? palette::kSelect : faded(color, look.dimmed ? 0.25f : look.muted ? 0.3f : look.hovered ? 1.0f : 0.82f);
+  const ImU32 ink = look.selected ? palette::kSelect
+                                  : faded(color, look.dimmed    ? 0.25f
+                                                 : look.muted   ? 0.3f
+                                                 : look.hovered ? 1.0f
+                                                                : 0.82f);
   if (view.level.zoom < 0.3f * theme.scale) {  // a curve would be smaller than it can be seen
     view.draw->AddLine(im(a), im(d), ink, width);
     return;
   }
-  view.draw->AddBezierCubic(im(a), im(b), im(c), im(d), faded(palette::kNodeBorder, look.dimmed ? 0.2f : 0.7f), width + 2 * theme.scale);
-  view.draw->AddBezierCubic(im(a), im(b), im(c), im(d), ink, look.hovered || look.selected ? width * 1.35f : width);
+  view.draw->AddBezierCubic(im(a), im(b), im(c), im(d),
+                            faded(palette::kNodeBorder, look.dimmed ? 0.2f : 0.7f), width + 2 * theme.scale);
+  view.draw->AddBezierCubic(im(a), im(b), im(c), im(d), ink,
+                            look.hovered || look.selected ? width * 1.35f : width);
 }
 
 }  // namespace pileus::editor

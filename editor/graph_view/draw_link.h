@@ -11,6 +11,7 @@ struct LinkLook {
 
 /// Ends of a link in canvas units; false where a socket is missing.
 bool linkEnds(const Layout& layout, const nodes::Link& link, vec2& from, vec2& to, nodes::SocketType& type);
-void drawLink(const Theme& theme, const CanvasView& view, vec2 from, vec2 to, ImU32 color, const LinkLook& look);
+void drawLink(const Theme& theme, const CanvasView& view, vec2 from, vec2 to, ImU32 color,
+              const LinkLook& look);
 
 }  // namespace pileus::editor

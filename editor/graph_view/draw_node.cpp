@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kRounding = 6, kFooter = 24;
 
-void drawBody(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look, ImU32 header) {
+void drawBody(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look,
+              ImU32 header) {
   ImDrawList* draw = view.draw;
   const vec2 lo = glm::round(view.screen(place.min)), hi = glm::round(view.screen(place.max));
   const float r = view.px(kRounding), bottom = std::round(lo.y + view.px(place.header));
@@ -20,21 +21,43 @@ void drawBody(const Theme& theme, const CanvasView& view, const NodePlace& place
   // A soft shadow lifts the node off the grid.
   for (int i = 3; i >= 1; --i) {
     const auto grow = static_cast<float>(i) * theme.scale;
-    draw->AddRectFilled({lo.x - grow, lo.y - grow + 2 * theme.scale}, {hi.x + grow, hi.y + grow + 2 * theme.scale}, IM_COL32(0, 0, 0, 28), r + grow);
+    draw->AddRectFilled({lo.x - grow, lo.y - grow + 2 * theme.scale},
+                        {hi.x + grow, hi.y + grow + 2 * theme.scale}, IM_COL32(0, 0, 0, 28), r + grow);
   }
-  draw->AddRectFilled(im(lo), im(hi), faded(look.hovered ? mixed(palette::kNode, IM_COL32_WHITE, 0.03f) : palette::kNode, alpha), r);
-  draw->AddRectFilled(im(lo), {hi.x, bottom}, faded(look.hovered ? mixed(header, IM_COL32_WHITE, 0.08f) : header, alpha), r, ImDrawFlags_RoundCornersTop);
+  draw->AddRectFilled(
+      im(lo), im(hi),
+      faded(look.hovered ? mixed(palette::kNode, IM_COL32_WHITE, 0.03f) : palette::kNode, alpha), r);
+  draw->AddRectFilled(im(lo), {hi.x, bottom},
+                      faded(look.hovered ? mixed(header, IM_COL32_WHITE, 0.08f) : header, alpha), r,
+                      ImDrawFlags_RoundCornersTop);
   const bool failed = look.status && look.status->state == nodes::NodeState::Failed;
   const ImU32 border = look.selected ? palette::kSelect : failed ? palette::kError : palette::kNodeBorder;
   const float width = look.selected ? 2 * theme.scale : theme.scale;
   draw->AddRect(im(lo), im(hi), border, r, 0, width);
 }
 
+/// Too far away for sockets and their labels: the name alone, at a size that can still be read.
+void drawDistantName(const Theme& theme, const CanvasView& view, const NodePlace& place) {
+  const vec2 lo = view.screen(place.min), hi = view.screen(place.max);
+  const float room = hi.x - lo.x - 6 * theme.scale;
+  ImFont* font = theme.small;
+  if (room < theme.px(46) || hi.y - lo.y < font->FontSize) return;
+  const std::string_view title =
+      place.node->label.empty() ? std::string_view(place.name) : std::string_view(place.node->label);
+  const float width = std::min(textWidth(font, title), room);
+  const float top = lo.y + view.px(place.header);
+  drawText(view.draw, font,
+           {0.5f * (lo.x + hi.x - width), std::max(0.5f * (top + hi.y - font->FontSize), lo.y)},
+           place.node->bypass ? palette::kTextFaint : palette::kText, title, room);
+}
+
 void drawHeader(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look) {
   ImFont* font = view.level.strong;
   const vec2 lo = view.screen(place.min);
   const float middle = lo.y + view.px(place.header) * 0.5f - font->FontSize * 0.5f;
-  const char* mark = place.node->bypass ? icon::kBan : place.type ? categoryIcon(place.type->category) : icon::kWarning;
+  const char* mark = place.node->bypass ? icon::kBan
+                     : place.type       ? categoryIcon(place.type->category)
+                                        : icon::kWarning;
   float x = lo.x + view.px(9);
   drawText(view.draw, font, {x, middle}, faded(palette::kTextStrong, 0.75f), mark, view.px(40));
   x += view.px(24);
@@ -49,13 +72,18 @@ void drawHeader(const Theme& theme, const CanvasView& view, const NodePlace& pla
     drawText(view.draw, font, {right, middle}, palette::kError, icon::kError, view.px(40));
     right -= view.px(4);
   }
-  const std::string_view title = place.node->label.empty() ? std::string_view(place.name) : std::string_view(place.node->label);
-  drawText(view.draw, font, {x, middle}, place.node->bypass ? palette::kTextDim : palette::kTextStrong, title, right - x);
-  if (look.showTimes && look.status && look.status->evaluations > 0 && look.status->state != nodes::NodeState::Idle) {
+  const std::string_view title =
+      place.node->label.empty() ? std::string_view(place.name) : std::string_view(place.node->label);
+  drawText(view.draw, font, {x, middle}, place.node->bypass ? palette::kTextDim : palette::kTextStrong, title,
+           right - x);
+  if (look.showTimes && look.status && look.status->evaluations > 0 &&
+      look.status->state != nodes::NodeState::Idle) {
     const double ms = look.status->cpuMs + look.status->gpuMs;
     const std::string text = ms < 9.95 ? fmt::format("{:.1f} ms", ms) : fmt::format("{:.0f} ms", ms);
     ImFont* small = view.level.text;
-    drawText(view.draw, small, {view.screen(place.max).x - textWidth(small, text), lo.y - small->FontSize - 3 * theme.scale}, palette::kTextDim, text, 1e4f);
+    drawText(view.draw, small,
+             {view.screen(place.max).x - textWidth(small, text), lo.y - small->FontSize - 3 * theme.scale},
+             palette::kTextDim, text, 1e4f);
   }
 }
 
@@ -70,19 +98,23 @@ void drawSockets(const Theme& theme, const CanvasView& view, const NodePlace& pl
     const vec2 at = view.screen(s.at);
     const bool hovered = look.hoveredSocket == s.id && look.hoveredInput == s.input;
     const bool open = !look.accepts || look.accepts(s);
-    const ImU32 color = !open ? IM_COL32(74, 79, 88, 255) : s.known ? socketColor(s.type) : palette::kTextFaint;
+    const ImU32 color = !open     ? IM_COL32(74, 79, 88, 255)
+                        : s.known ? socketColor(s.type)
+                                  : palette::kTextFaint;
     const float radius = hovered && open ? r * 1.35f : r;
     if (look.accepts && open) draw->AddCircleFilled(im(at), radius * 1.9f, faded(color, 0.22f));
     // A many-input is a pill: it takes more than one link.
     if (s.input && s.many) {
       const vec2 half = {radius * 0.85f, radius * 1.55f};
-      draw->AddRectFilled(im(at - half - vec2(theme.scale)), im(at + half + vec2(theme.scale)), palette::kNodeBorder, radius);
+      draw->AddRectFilled(im(at - half - vec2(theme.scale)), im(at + half + vec2(theme.scale)),
+                          palette::kNodeBorder, radius);
       draw->AddRectFilled(im(at - half), im(at + half), color, radius * 0.85f);
     } else {
       draw->AddCircleFilled(im(at), radius + theme.scale, palette::kNodeBorder);
       draw->AddCircleFilled(im(at), radius, color);
     }
-    if (s.input && s.required && look.linked && !look.linked(s) && !look.accepts) draw->AddCircleFilled(im(at), radius * 0.5f, palette::kNode);
+    if (s.input && s.required && look.linked && !look.linked(s) && !look.accepts)
+      draw->AddCircleFilled(im(at), radius * 0.5f, palette::kNode);
     if (!font) continue;
     const ImU32 ink = !open ? palette::kTextFaint : hovered ? palette::kTextStrong : palette::kText;
     const float y = at.y - font->FontSize * 0.5f;
@@ -106,24 +138,31 @@ void drawProgress(const CanvasView& view, const NodePlace& place, const nodes::N
 
 void drawFooter(const CanvasView& view, const NodePlace& place, const nodes::NodeStatus& status) {
   if (footerHeight(status) <= 0 || !view.level.text) return;
-  const bool failed = status.state == nodes::NodeState::Failed, pending = status.state == nodes::NodeState::Pending;
-  std::string text = failed ? status.error.message : pending ? fmt::format("{} {:.0f} %", status.what, 100 * status.fraction) : status.warnings.front();
+  const bool failed = status.state == nodes::NodeState::Failed,
+             pending = status.state == nodes::NodeState::Pending;
+  std::string text = failed    ? status.error.message
+                     : pending ? fmt::format("{} {:.0f} %", status.what, 100 * status.fraction)
+                               : status.warnings.front();
   if (failed && text.starts_with(place.name + ": ")) text.erase(0, place.name.size() + 2);
   const ImU32 ink = failed ? palette::kError : pending ? palette::kTextDim : palette::kWarning;
   const ImU32 back = failed ? palette::kErrorBack : pending ? palette::kBar : palette::kWarningBack;
-  const vec2 lo = glm::round(view.screen({place.min.x, place.max.y + 4})), hi = glm::round(view.screen({place.max.x, place.max.y + 4 + kFooter}));
+  const vec2 lo = glm::round(view.screen({place.min.x, place.max.y + 4})),
+             hi = glm::round(view.screen({place.max.x, place.max.y + 4 + kFooter}));
   view.draw->AddRectFilled(im(lo), im(hi), back, view.px(4));
   ImFont* font = view.level.text;
-  drawText(view.draw, font, {lo.x + view.px(8), (lo.y + hi.y - font->FontSize) * 0.5f}, ink, text, hi.x - lo.x - view.px(16));
+  drawText(view.draw, font, {lo.x + view.px(8), (lo.y + hi.y - font->FontSize) * 0.5f}, ink, text,
+           hi.x - lo.x - view.px(16));
 }
 
 }  // namespace
 
 float footerHeight(const nodes::NodeStatus& s) {
   // Only the node that works says so; those downstream of it merely wait.
-  const bool works = s.state == nodes::NodeState::Pending && !s.what.empty() && !s.what.starts_with("Waiting for");
-  const bool any = s.state == nodes::NodeState::Failed || works ||
-                   (!s.warnings.empty() && s.state != nodes::NodeState::Idle && s.state != nodes::NodeState::Skipped);
+  const bool works =
+      s.state == nodes::NodeState::Pending && !s.what.empty() && !s.what.starts_with("Waiting for");
+  const bool any =
+      s.state == nodes::NodeState::Failed || works ||
+      (!s.warnings.empty() && s.state != nodes::NodeState::Idle && s.state != nodes::NodeState::Skipped);
   return any ? kFooter + 4 : 0;
 }
 
@@ -132,7 +171,10 @@ void drawNode(const Theme& theme, const CanvasView& view, const NodePlace& place
   if (!view.visible(view.screen(place.min - margin), view.screen(place.max + margin))) return;
   const ImU32 header = place.type ? categoryColor(place.type->category) : IM_COL32(96, 60, 60, 255);
   drawBody(theme, view, place, look, header);
-  if (view.level.text) drawHeader(theme, view, place, look);
+  if (view.level.text)
+    drawHeader(theme, view, place, look);
+  else
+    drawDistantName(theme, view, place);
   if (look.status) drawProgress(view, place, *look.status);
   if (view.level.zoom > 0.18f * theme.scale) drawSockets(theme, view, place, look);
   if (look.status) drawFooter(view, place, *look.status);

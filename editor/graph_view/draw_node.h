@@ -12,7 +12,7 @@ struct NodeLook {
   bool selected = false, hovered = false;
   bool showTimes = false;
   const nodes::NodeStatus* status = nullptr;
-  std::string_view hoveredSocket;      ///< id of the socket under the pointer, "" = none
+  std::string_view hoveredSocket;  ///< id of the socket under the pointer, "" = none
   bool hoveredInput = false;
   /// While a link is dragged: whether it may end at this socket. Empty otherwise.
   std::function<bool(const SocketPlace&)> accepts;

@@ -8,7 +8,10 @@ namespace pileus::editor {
 namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool wordChar(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (static_cast<unsigned char>(c) >= 0x80); }
+bool wordChar(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         (static_cast<unsigned char>(c) >= 0x80);
+}
 
 constexpr int kImpossible = -1'000'000;
 
@@ -22,7 +25,8 @@ std::optional<int> fuzzyScore(std::string_view query, std::string_view text) {
   if (text.size() > 256) text = text.substr(0, 256);
   const std::size_t n = text.size();
   if (n == 0) return std::nullopt;
-  // Best score with query letter i matched at text letter j (dynamic programming: a greedy match would miss word starts).
+  // Best score with query letter i matched at text letter j (dynamic programming: a greedy match would miss
+  // word starts).
   std::vector<int> row(n, kImpossible), next(n);
   for (std::size_t i = 0; i < q.size(); ++i) {
     int best = kImpossible;  // best of the previous row before j

@@ -28,12 +28,14 @@ const SocketPlace* socketAt(const NodePlace& node, vec2 at, float reach, bool la
 
 }  // namespace
 
-Hit hitTest(const Layout& layout, const nodes::Graph& graph, vec2 at, float zoom, const Interaction& machine) {
+Hit hitTest(const Layout& layout, const nodes::Graph& graph, vec2 at, float zoom,
+            const Interaction& machine) {
   const bool dragging = machine.state == Interaction::State::DraggingLink;
   const float reach = std::clamp((dragging ? 18.0f : 11.0f) / zoom, 8.0f, 40.0f);
   const bool readable = zoom > 0.5f;
   for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node) {
-    const bool near = at.x >= node->min.x - reach && at.x <= node->max.x + reach && at.y >= node->min.y && at.y <= node->max.y;
+    const bool near = at.x >= node->min.x - reach && at.x <= node->max.x + reach && at.y >= node->min.y &&
+                      at.y <= node->max.y;
     if (!near) continue;
     if (const SocketPlace* s = zoom > 0.18f ? socketAt(*node, at, reach, readable) : nullptr) {
       Hit hit{s->input ? Hit::Kind::Input : Hit::Kind::Output, node->name, s->id, {}, {}};

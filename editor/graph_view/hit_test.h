@@ -5,8 +5,9 @@
 
 namespace pileus::editor {
 
-/// `at` in canvas units; `zoom` in design pixels per canvas unit, so that the reach around sockets and links stays the same on the
-/// screen. A socket's label belongs to it. While a link is dragged links are no target and sockets reach farther.
+/// `at` in canvas units; `zoom` in design pixels per canvas unit, so that the reach around sockets and links
+/// stays the same on the screen. A socket's label belongs to it. While a link is dragged links are no target
+/// and sockets reach farther.
 Hit hitTest(const Layout& layout, const nodes::Graph& graph, vec2 at, float zoom, const Interaction& machine);
 
 /// Nodes that touch the rectangle.

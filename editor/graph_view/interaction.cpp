@@ -6,7 +6,9 @@ namespace {
 using State = Interaction::State;
 constexpr int kLeft = 0, kRight = 1, kMiddle = 2;
 
-SelectOp selectOp(const PointerInput& in) { return in.ctrl ? SelectOp::Remove : in.shift ? SelectOp::Add : SelectOp::Replace; }
+SelectOp selectOp(const PointerInput& in) {
+  return in.ctrl ? SelectOp::Remove : in.shift ? SelectOp::Add : SelectOp::Replace;
+}
 
 void begin(Interaction& m, const PointerInput& in, State state) {
   m.state = state;
@@ -35,7 +37,9 @@ void pressLeft(Interaction& m, const PointerInput& in, bool isSelected, std::vec
       if (!m.deferredSelect) out.push_back(command::SelectNode{in.hit.node, selectOp(in)});
       if (in.doubleClick) out.push_back(command::Open{in.hit.node});
       break;
-    case Hit::Kind::Link: out.push_back(command::SelectLink{in.hit.link}); break;
+    case Hit::Kind::Link:
+      out.push_back(command::SelectLink{in.hit.link});
+      break;
     case Hit::Kind::Canvas:
       begin(m, in, State::PressedCanvas);
       m.boxOp = selectOp(in);
@@ -46,12 +50,17 @@ void pressLeft(Interaction& m, const PointerInput& in, bool isSelected, std::vec
 void startIdle(Interaction& m, const PointerInput& in, bool isSelected, std::vector<Command>& out) {
   if (!in.over) return;
   if (in.wheel != 0) out.push_back(command::Zoom{in.wheel, in.pos});
-  if (in.pressed[kMiddle]) begin(m, in, State::Panning);
-  else if (in.pressed[kRight]) begin(m, in, in.alt ? State::Zooming : State::PressedRight);
-  else if (in.pressed[kLeft]) pressLeft(m, in, isSelected, out);
+  if (in.pressed[kMiddle])
+    begin(m, in, State::Panning);
+  else if (in.pressed[kRight])
+    begin(m, in, in.alt ? State::Zooming : State::PressedRight);
+  else if (in.pressed[kLeft])
+    pressLeft(m, in, isSelected, out);
 }
 
-bool anyReleased(const PointerInput& in) { return in.released[kLeft] || in.released[kRight] || in.released[kMiddle]; }
+bool anyReleased(const PointerInput& in) {
+  return in.released[kLeft] || in.released[kRight] || in.released[kMiddle];
+}
 
 }  // namespace
 
@@ -60,7 +69,9 @@ std::vector<Command> step(Interaction& m, const PointerInput& in, bool isSelecte
   const vec2 moved = in.pos - m.last;
   const bool dragged = glm::length(in.pos - m.press) >= dragThreshold;
   switch (m.state) {
-    case State::Idle: startIdle(m, in, isSelected, out); return out;
+    case State::Idle:
+      startIdle(m, in, isSelected, out);
+      return out;
     case State::Panning:
       if (moved != vec2(0)) out.push_back(command::Pan{moved});
       if (anyReleased(in) || in.cancel) m.state = State::Idle;
@@ -75,8 +86,10 @@ std::vector<Command> step(Interaction& m, const PointerInput& in, bool isSelecte
         out.push_back(command::Move{in.pos - m.press});
       }
       if (in.released[kLeft] || in.cancel) {
-        if (m.state == State::MovingNodes) out.push_back(command::MoveDone{});
-        else if (m.deferredSelect && !in.cancel) out.push_back(command::SelectNode{m.pressHit.node, SelectOp::Replace});
+        if (m.state == State::MovingNodes)
+          out.push_back(command::MoveDone{});
+        else if (m.deferredSelect && !in.cancel)
+          out.push_back(command::SelectNode{m.pressHit.node, SelectOp::Replace});
         m.state = State::Idle;
       }
       break;
@@ -90,8 +103,10 @@ std::vector<Command> step(Interaction& m, const PointerInput& in, bool isSelecte
     case State::PressedCanvas:
       if (dragged) m.state = State::BoxSelecting;
       if (in.released[kLeft] || in.cancel) {
-        if (m.state == State::BoxSelecting && !in.cancel) out.push_back(command::SelectBox{m.press, in.pos, m.boxOp});
-        else if (m.boxOp == SelectOp::Replace && !in.cancel) out.push_back(command::SelectNone{});
+        if (m.state == State::BoxSelecting && !in.cancel)
+          out.push_back(command::SelectBox{m.press, in.pos, m.boxOp});
+        else if (m.boxOp == SelectOp::Replace && !in.cancel)
+          out.push_back(command::SelectNone{});
         m.state = State::Idle;
       }
       break;
@@ -112,8 +127,10 @@ std::vector<Command> step(Interaction& m, const PointerInput& in, bool isSelecte
     case State::PressedRight:
       if (in.released[kRight] || in.cancel) {
         if (!dragged && !in.cancel) {
-          if (m.pressHit.kind == Hit::Kind::Canvas) out.push_back(command::Search{in.pos});
-          else out.push_back(command::Menu{m.pressHit, in.pos});
+          if (m.pressHit.kind == Hit::Kind::Canvas)
+            out.push_back(command::Search{in.pos});
+          else
+            out.push_back(command::Menu{m.pressHit, in.pos});
         }
         m.state = State::Idle;
       }

@@ -13,13 +13,16 @@ NodePlace place(const nodes::Graph& graph, const std::string& name, const nodes:
   p.min = vec2(node.at);
   p.header = kHeaderHeight;
   if (p.type) {
-    for (const nodes::SocketSpec& s : p.type->inputs) p.sockets.push_back({s.id, s.label, s.type, true, true, s.many, s.required, {}});
-    for (const nodes::SocketSpec& s : p.type->outputs) p.sockets.push_back({s.id, s.label, s.type, true, false, false, false, {}});
+    for (const nodes::SocketSpec& s : p.type->inputs)
+      p.sockets.push_back({s.id, s.label, s.type, true, true, s.many, s.required, {}});
+    for (const nodes::SocketSpec& s : p.type->outputs)
+      p.sockets.push_back({s.id, s.label, s.type, true, false, false, false, {}});
   } else {
     // A node this version does not know keeps the sockets its links name, so that they stay visible.
     for (const nodes::Link& link : graph.links) {
       const auto add = [&](const std::string& id, bool input) {
-        if (!findSocket(p, id, input)) p.sockets.push_back({id, id, nodes::SocketType::Text, false, input, true, false, {}});
+        if (!findSocket(p, id, input))
+          p.sockets.push_back({id, id, nodes::SocketType::Text, false, input, true, false, {}});
       };
       if (link.toNode == name) add(link.toSocket, true);
       if (link.fromNode == name) add(link.fromSocket, false);
@@ -60,7 +63,8 @@ const SocketPlace* findSocket(const NodePlace& place, std::string_view socket, b
 }
 
 Curve linkCurve(vec2 from, vec2 to) {
-  const float reach = std::clamp(std::abs(to.x - from.x) * 0.5f, 28.0f, 160.0f) + (to.x < from.x ? 30.0f : 0.0f);
+  const float reach =
+      std::clamp(std::abs(to.x - from.x) * 0.5f, 28.0f, 160.0f) + (to.x < from.x ? 30.0f : 0.0f);
   return {from, from + vec2(reach, 0), to - vec2(reach, 0), to};
 }
 

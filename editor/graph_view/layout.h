@@ -11,25 +11,26 @@ namespace pileus::editor {
 struct SocketPlace {
   std::string id, label;
   nodes::SocketType type = nodes::SocketType::Number;
-  bool known = true;       ///< false: of an unknown node type, inferred from links
+  bool known = true;  ///< false: of an unknown node type, inferred from links
   bool input = true, many = false, required = false;
-  vec2 at{0};              ///< the dot's centre
+  vec2 at{0};  ///< the dot's centre
 };
 
 struct NodePlace {
   std::string name;
-  const nodes::Node* node = nullptr;       ///< of the graph laid out; valid as long as it lives
-  const nodes::NodeType* type = nullptr;   ///< null: unknown type
+  const nodes::Node* node = nullptr;      ///< of the graph laid out; valid as long as it lives
+  const nodes::NodeType* type = nullptr;  ///< null: unknown type
   vec2 min{0}, max{0};
-  float header = 0;                        ///< height of the title bar
+  float header = 0;  ///< height of the title bar
   std::vector<SocketPlace> sockets;
 };
 
 struct Layout {
-  std::vector<NodePlace> nodes;            ///< back to front: selected ones last
+  std::vector<NodePlace> nodes;  ///< back to front: selected ones last
 };
 
-inline constexpr float kNodeWidth = 188, kHeaderHeight = 30, kRowHeight = 24, kNodePadding = 7, kSocketRadius = 5.5f;
+inline constexpr float kNodeWidth = 188, kHeaderHeight = 30, kRowHeight = 24, kNodePadding = 7,
+                       kSocketRadius = 5.5f;
 
 /// `raised` nodes are drawn, and hit, above the others.
 Layout layoutGraph(const nodes::Graph& graph, const std::set<std::string>& raised);

@@ -26,7 +26,8 @@ void addChosen(Editor& editor, const SearchItem& item) {
   std::string label = "Add " + name;
   if (added && search.link) {
     const LinkDrag& drag = *search.link;
-    const nodes::Link link = drag.fromOutput ? nodes::Link{drag.node, drag.socket, name, item.socket} : nodes::Link{name, item.socket, drag.node, drag.socket};
+    const nodes::Link link = drag.fromOutput ? nodes::Link{drag.node, drag.socket, name, item.socket}
+                                             : nodes::Link{name, item.socket, drag.node, drag.socket};
     // The socket comes to lie where the link was dropped.
     const Layout layout = layoutGraph(*added, {});
     if (const NodePlace* place = findPlace(layout, name))
@@ -50,18 +51,22 @@ void drawRow(Editor& editor, const SearchItem& item, int row, bool chosen, float
     ImGui::CloseCurrentPopup();
   }
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0)) editor.canvas.search.chosen = row;
+  if (hovered && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0))
+    editor.canvas.search.chosen = row;
   editor.trace.item("search/" + std::to_string(row));
   editor.trace.note("search/" + std::to_string(row), item.label);
   ImGui::PopID();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (chosen) draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccentDim, theme.px(4));
-  draw->AddRectFilled({at.x + theme.px(6), at.y + theme.px(8)}, {at.x + theme.px(9), at.y + height - theme.px(8)},
+  draw->AddRectFilled({at.x + theme.px(6), at.y + theme.px(8)},
+                      {at.x + theme.px(9), at.y + height - theme.px(8)},
                       mixed(categoryColor(item.type->category), IM_COL32_WHITE, 0.2f), theme.px(2));
   const float x = at.x + theme.space(4), room = width - theme.space(6);
   const float categoryWidth = textWidth(theme.small, item.type->category);
-  drawText(draw, theme.body, {x, at.y + theme.px(3)}, palette::kTextStrong, item.label, room - categoryWidth - theme.space(2));
-  drawText(draw, theme.small, {at.x + width - categoryWidth - theme.space(2), at.y + theme.px(4)}, palette::kTextFaint, item.type->category, categoryWidth + 1);
+  drawText(draw, theme.body, {x, at.y + theme.px(3)}, palette::kTextStrong, item.label,
+           room - categoryWidth - theme.space(2));
+  drawText(draw, theme.small, {at.x + width - categoryWidth - theme.space(2), at.y + theme.px(4)},
+           palette::kTextFaint, item.type->category, categoryWidth + 1);
   drawText(draw, theme.small, {x, at.y + theme.px(21)}, palette::kTextDim, item.type->help, room);
 }
 
@@ -69,7 +74,8 @@ void moveChosen(NodeSearch& search, int count) {
   const int before = search.chosen;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) ++search.chosen;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow))) --search.chosen;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_PageDown))) search.chosen += static_cast<int>(kRows) - 1;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_PageDown)))
+    search.chosen += static_cast<int>(kRows) - 1;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_PageUp))) search.chosen -= static_cast<int>(kRows) - 1;
   search.chosen = count > 0 ? std::clamp(search.chosen, 0, count - 1) : 0;
   if (search.chosen != before) search.scrollToChosen = true;
@@ -86,11 +92,13 @@ void drawField(Editor& editor) {
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const std::string before = search.query;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
-  ImGui::InputTextWithHint("##query", search.link ? "Nodes that fit this link" : "Search nodes", &search.query);
+  ImGui::InputTextWithHint("##query", search.link ? "Nodes that fit this link" : "Search nodes",
+                           &search.query);
   ImGui::PopStyleColor();
   editor.trace.item("search/field");
   if (search.query != before) search.chosen = 0, search.scrollToChosen = true;
-  draw->AddText(theme.body, theme.body->FontSize, {at.x + theme.px(5), at.y + theme.px(5)}, palette::kTextDim, icon::kSearch);
+  draw->AddText(theme.body, theme.body->FontSize, {at.x + theme.px(5), at.y + theme.px(5)}, palette::kTextDim,
+                icon::kSearch);
   const float y = ImGui::GetItemRectMax().y + theme.px(2);
   draw->AddLine({at.x, y}, {at.x + theme.px(kWidth) - theme.space(4), y}, palette::kLine);
   ImGui::Dummy({0, theme.px(2)});
@@ -107,14 +115,18 @@ std::vector<SearchItem> searchItems(const std::optional<LinkFilter>& filter) {
     }
     const std::size_t first = items.size();
     for (const nodes::SocketSpec& s : filter->fromOutput ? type.inputs : type.outputs)
-      if (filter->fromOutput ? nodes::convertible(filter->type, s.type) : nodes::convertible(s.type, filter->type)) items.push_back({&type, s.id, s.label});
+      if (filter->fromOutput ? nodes::convertible(filter->type, s.type)
+                             : nodes::convertible(s.type, filter->type))
+        items.push_back({&type, s.id, s.label});
     const bool several = items.size() - first > 1;
-    for (std::size_t i = first; i < items.size(); ++i) items[i].label = several ? type.label + ": " + items[i].label : type.label;
+    for (std::size_t i = first; i < items.size(); ++i)
+      items[i].label = several ? type.label + ": " + items[i].label : type.label;
   }
   return items;
 }
 
-std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_view query, const std::vector<std::string>& recent) {
+std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_view query,
+                           const std::vector<std::string>& recent) {
   struct Rank {
     int item, score;
     std::size_t age;
@@ -127,10 +139,13 @@ std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_vie
     const auto other = fuzzyScore(query, item.type->keywords + " " + item.type->category);
     if (!label && !(other && query.size() > 1)) continue;
     const int score = std::max(label.value_or(-1000), other && query.size() > 1 ? *other / 2 - 10 : -1000);
-    const auto age = static_cast<std::size_t>(std::find(recent.begin(), recent.end(), item.type->id) - recent.begin());
+    const auto age =
+        static_cast<std::size_t>(std::find(recent.begin(), recent.end(), item.type->id) - recent.begin());
     ranks.push_back({i, score, age});
   }
-  std::stable_sort(ranks.begin(), ranks.end(), [](const Rank& a, const Rank& b) { return a.score != b.score ? a.score > b.score : a.age < b.age; });
+  std::stable_sort(ranks.begin(), ranks.end(), [](const Rank& a, const Rank& b) {
+    return a.score != b.score ? a.score > b.score : a.age < b.age;
+  });
   std::vector<int> out;
   for (const Rank& r : ranks) out.push_back(r.item);
   return out;
@@ -162,8 +177,9 @@ void drawSearch(Editor& editor) {
     search.opening = false;
     const float height = theme.px(60 + 40 * std::clamp(static_cast<float>(search.items.size()), 1.0f, kRows));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({std::clamp(search.at.x - theme.px(20), 4.0f, std::max(4.0f, display.x - theme.px(kWidth) - 4)),
-                             std::clamp(search.at.y - theme.px(16), 4.0f, std::max(4.0f, display.y - height - 4))});
+    ImGui::SetNextWindowPos(
+        {std::clamp(search.at.x - theme.px(20), 4.0f, std::max(4.0f, display.x - theme.px(kWidth) - 4)),
+         std::clamp(search.at.y - theme.px(16), 4.0f, std::max(4.0f, display.y - height - 4))});
   }
   ImGui::SetNextWindowSize({theme.px(kWidth), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(2), theme.space(2)});
@@ -181,7 +197,8 @@ void drawSearch(Editor& editor) {
         ImGui::SetScrollHereY(0.5f);
         search.scrollToChosen = false;
       }
-      drawRow(editor, search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(row)])], row, row == search.chosen, width);
+      drawRow(editor, search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(row)])], row,
+              row == search.chosen, width);
     }
     if (ranked.empty()) {
       ImGui::SetCursorPos({theme.space(4), theme.px(10)});
@@ -189,13 +206,17 @@ void drawSearch(Editor& editor) {
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
     if (enter && !ranked.empty()) {
-      addChosen(editor, search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(search.chosen)])]);
+      addChosen(editor,
+                search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(search.chosen)])]);
       ImGui::CloseCurrentPopup();
     }
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
-    editor.trace.rect("search", ImGui::GetWindowPos(), {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+    editor.trace.rect("search", ImGui::GetWindowPos(),
+                      {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+                       ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

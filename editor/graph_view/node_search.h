@@ -1,5 +1,6 @@
 #pragma once
-// The search that adds nodes: fuzzy, recent types first; after a link was dropped on empty canvas it lists only what fits, socket by socket.
+// The search that adds nodes: fuzzy, recent types first; after a link was dropped on empty canvas it lists
+// only what fits, socket by socket.
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,19 +19,21 @@ struct LinkFilter {
 
 struct SearchItem {
   const nodes::NodeType* type = nullptr;
-  std::string socket;      ///< which socket to link; "" without a filter
-  std::string label;       ///< "Extinction Map", or "Extinction Map: Light" where several sockets fit
+  std::string socket;  ///< which socket to link; "" without a filter
+  std::string label;   ///< "Extinction Map", or "Extinction Map: Light" where several sockets fit
 };
 
 /// Every node type (and socket) that fits, in menu order.
 std::vector<SearchItem> searchItems(const std::optional<LinkFilter>& filter);
-/// Indices into `items`, best first: by score, with an empty query recent types (newest first) before the others.
-std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_view query, const std::vector<std::string>& recent);
+/// Indices into `items`, best first: by score, with an empty query recent types (newest first) before the
+/// others.
+std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_view query,
+                           const std::vector<std::string>& recent);
 
 struct NodeSearch {
   bool opening = false, open = false;
-  vec2 at{0};                         ///< screen position of the popup
-  vec2 place{0};                      ///< canvas position of the new node, or of its linked socket
+  vec2 at{0};     ///< screen position of the popup
+  vec2 place{0};  ///< canvas position of the new node, or of its linked socket
   std::optional<LinkDrag> link;
   std::string query;
   int chosen = 0;

@@ -46,7 +46,8 @@ std::string commit(const std::string& text, double& value, const NumberField& f)
   if (!parse(text, typed)) return fmt::format("\"{}\" is not a number.", text);
   if (f.integer && typed != std::floor(typed)) return "A whole number is needed.";
   if (typed < f.hardMin || typed > f.hardMax)
-    return fmt::format("{} is out of range: {} to {}.", text, numberText(f.hardMin, f.integer), numberText(f.hardMax, f.integer));
+    return fmt::format("{} is out of range: {} to {}.", text, numberText(f.hardMin, f.integer),
+                       numberText(f.hardMax, f.integer));
   value = typed;
   return {};
 }
@@ -57,7 +58,10 @@ NumberEdit typeField(NumberFieldState& state, double& value, const NumberField& 
   const bool first = state.focus;
   if (first) ImGui::SetKeyboardFocusHere();
   state.focus = false;
-  const bool enter = ImGui::InputText("##typed", &state.text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
+  const bool enter =
+      ImGui::InputText("##typed", &state.text,
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                           ImGuiInputTextFlags_CharsScientific);
   const bool cancelled = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (enter || (!first && ImGui::IsItemDeactivated())) {
     if (!cancelled) {
@@ -72,13 +76,15 @@ NumberEdit typeField(NumberFieldState& state, double& value, const NumberField& 
   return edit;
 }
 
-void drawField(const Theme& theme, ImVec2 lo, ImVec2 hi, double value, const NumberField& f, bool hovered, bool active) {
+void drawField(const Theme& theme, ImVec2 lo, ImVec2 hi, double value, const NumberField& f, bool hovered,
+               bool active) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float r = theme.px(4);
   draw->AddRectFilled(lo, hi, hovered || active ? palette::kFieldHover : palette::kField, r);
   if (hasSoft(f)) {
     const bool logarithmic = f.logarithmic && f.softMin > 0 && value > 0;
-    const double t = logarithmic ? std::log(value / f.softMin) / std::log(f.softMax / f.softMin) : (value - f.softMin) / (f.softMax - f.softMin);
+    const double t = logarithmic ? std::log(value / f.softMin) / std::log(f.softMax / f.softMin)
+                                 : (value - f.softMin) / (f.softMax - f.softMin);
     const float x = lo.x + (hi.x - lo.x) * static_cast<float>(std::clamp(t, 0.0, 1.0));
     if (x > lo.x + 1) {
       draw->PushClipRect(lo, {x, hi.y}, true);
@@ -86,20 +92,24 @@ void drawField(const Theme& theme, ImVec2 lo, ImVec2 hi, double value, const Num
       draw->PopClipRect();
     }
   }
-  if (f.mark) draw->AddRectFilled({lo.x, lo.y + theme.px(5)}, {lo.x + theme.px(2), hi.y - theme.px(5)}, f.mark, theme.px(1));
+  if (f.mark)
+    draw->AddRectFilled({lo.x, lo.y + theme.px(5)}, {lo.x + theme.px(2), hi.y - theme.px(5)}, f.mark,
+                        theme.px(1));
   const std::string text = numberText(value, f.integer);
   const float y = 0.5f * (lo.y + hi.y);
   float right = hi.x - theme.space(2);
   if (f.unit && *f.unit) {
     const float unit = textWidth(theme.small, f.unit);
     if (hi.x - lo.x > unit + theme.px(64)) {
-      drawText(draw, theme.small, {right - unit, y - 0.5f * theme.small->FontSize}, palette::kTextDim, f.unit, unit + 1);
+      drawText(draw, theme.small, {right - unit, y - 0.5f * theme.small->FontSize}, palette::kTextDim, f.unit,
+               unit + 1);
       right -= unit + theme.px(5);
     }
   }
   const float left = lo.x + theme.px(f.mark ? 5 : 8);
   const float width = textWidth(theme.body, text);
-  drawText(draw, theme.body, {std::max(left, right - width), y - 0.5f * theme.body->FontSize}, palette::kText, text, right - left + 1);
+  drawText(draw, theme.body, {std::max(left, right - width), y - 0.5f * theme.body->FontSize}, palette::kText,
+           text, right - left + 1);
 }
 
 }  // namespace
@@ -139,7 +149,8 @@ double tidiedValue(double raw, const NumberField& f, bool fine, bool snap) {
   return value == 0 ? 0 : std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
 }
 
-NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* id, double& value, const NumberField& f, float width) {
+NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* id, double& value,
+                       const NumberField& f, float width) {
   NumberEdit edit;
   ImGui::PushID(id);
   const ImGuiID self = ImGui::GetID("field");
@@ -161,14 +172,16 @@ NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* 
   }
   if (active && state.active == self && state.typing != self) {
     if (ImGui::IsMouseDragging(0, 3 * theme.scale) || state.moved) {
-      const double pixels = state.moved ? static_cast<double>(io.MouseDelta.x) : static_cast<double>(ImGui::GetMouseDragDelta(0, 0).x);
+      const double pixels = state.moved ? static_cast<double>(io.MouseDelta.x)
+                                        : static_cast<double>(ImGui::GetMouseDragDelta(0, 0).x);
       state.moved = true;
       state.raw = draggedValue(state.raw, pixels, static_cast<double>(width), f, io.KeyShift);
       const double lo = hasSoft(f) ? f.softMin : f.hardMin, hi = hasSoft(f) ? f.softMax : f.hardMax;
       // A value typed beyond the soft range is not pulled back by touching it.
       const double reachLo = std::min(lo, value), reachHi = std::max(hi, value);
       state.raw = std::clamp(state.raw, reachLo, reachHi);
-      const double next = state.raw < lo || state.raw > hi ? value : tidiedValue(state.raw, f, io.KeyShift, io.KeyCtrl);
+      const double next =
+          state.raw < lo || state.raw > hi ? value : tidiedValue(state.raw, f, io.KeyShift, io.KeyCtrl);
       edit.changed = next != value;
       value = next;
       edit.dragging = true;

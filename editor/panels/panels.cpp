@@ -33,18 +33,26 @@ Areas areasOf(const Editor& editor, float top) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float gap = theme.px(kGap), status = theme.px(26);
   const float bottom = display.y - status;
-  const float log = s.showLog ? std::min(theme.px(static_cast<float>(s.logHeight)), (bottom - top) * 0.6f) + gap : 0;
+  const float log =
+      s.showLog ? std::min(theme.px(static_cast<float>(s.logHeight)), (bottom - top) * 0.6f) + gap : 0;
   const float main = bottom - log;
-  const float right = std::clamp(theme.px(static_cast<float>(s.parametersWidth)), theme.px(240), std::max(theme.px(240), display.x - theme.px(360)));
+  const float right = std::clamp(theme.px(static_cast<float>(s.parametersWidth)), theme.px(240),
+                                 std::max(theme.px(240), display.x - theme.px(360)));
   const float x = display.x - right - gap;
   const float y = std::round(top + (main - top - gap) * static_cast<float>(s.viewportShare));
-  return {{{0, top}, {x, y}}, {{0, y + gap}, {x, main}}, {{x + gap, top}, {display.x, main}}, {{0, main + gap}, {display.x, bottom}}, {{0, bottom}, display}};
+  return {{{0, top}, {x, y}},
+          {{0, y + gap}, {x, main}},
+          {{x + gap, top}, {display.x, main}},
+          {{0, main + gap}, {display.x, bottom}},
+          {{0, bottom}, display}};
 }
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags kFixed =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
 
-/// A fixed window without padding for one panel; returns whether the pointer is over it and nothing covers it.
+/// A fixed window without padding for one panel; returns whether the pointer is over it and nothing covers
+/// it.
 bool beginPanel(const char* id, const Rect& r) {
   ImGui::SetNextWindowPos(r.min);
   ImGui::SetNextWindowSize({std::max(r.max.x - r.min.x, 1.0f), std::max(r.max.y - r.min.y, 1.0f)});
@@ -52,19 +60,23 @@ bool beginPanel(const char* id, const Rect& r) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin(id, nullptr, kFixed);
   ImGui::PopStyleVar(2);
-  return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                                ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }
 
 /// A strip between panels that can be dragged; returns the pixels moved.
 float splitter(Editor& editor, const char* id, Rect r, bool vertical, bool& released) {
   const float grow = editor.theme.px(2);
-  if (vertical) r.min.x -= grow, r.max.x += grow;
-  else r.min.y -= grow, r.max.y += grow;
+  if (vertical)
+    r.min.x -= grow, r.max.x += grow;
+  else
+    r.min.y -= grow, r.max.y += grow;
   ImGui::SetNextWindowPos(r.min);
   ImGui::SetNextWindowSize({r.max.x - r.min.x, r.max.y - r.min.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(id, nullptr, (kFixed | ImGuiWindowFlags_NoBackground) & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::Begin(id, nullptr,
+               (kFixed | ImGuiWindowFlags_NoBackground) & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar(2);
   ImGui::InvisibleButton("grip", {r.max.x - r.min.x, r.max.y - r.min.y});
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
@@ -83,13 +95,18 @@ void drawSplitters(Editor& editor, const Areas& a) {
   Settings& s = editor.settings;
   const double scale = static_cast<double>(editor.theme.scale);
   bool released = false;
-  const float dx = splitter(editor, "splitter/parameters", {{a.viewport.max.x, a.viewport.min.y}, {a.parameters.min.x, a.graph.max.y}}, true, released);
+  const float dx =
+      splitter(editor, "splitter/parameters",
+               {{a.viewport.max.x, a.viewport.min.y}, {a.parameters.min.x, a.graph.max.y}}, true, released);
   s.parametersWidth = std::clamp(s.parametersWidth - static_cast<double>(dx) / scale, 240.0, 900.0);
-  const float dy = splitter(editor, "splitter/graph", {{a.viewport.min.x, a.viewport.max.y}, {a.viewport.max.x, a.graph.min.y}}, false, released);
+  const float dy =
+      splitter(editor, "splitter/graph",
+               {{a.viewport.min.x, a.viewport.max.y}, {a.viewport.max.x, a.graph.min.y}}, false, released);
   const double height = static_cast<double>(std::max(a.graph.max.y - a.viewport.min.y, 1.0f));
   s.viewportShare = std::clamp(s.viewportShare + static_cast<double>(dy) / height, 0.15, 0.85);
   if (s.showLog) {
-    const float dl = splitter(editor, "splitter/log", {{0, a.graph.max.y}, {a.log.max.x, a.log.min.y}}, false, released);
+    const float dl =
+        splitter(editor, "splitter/log", {{0, a.graph.max.y}, {a.log.max.x, a.log.min.y}}, false, released);
     s.logHeight = std::clamp(s.logHeight - static_cast<double>(dl) / scale, 60.0, 800.0);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The window's layout: menu bar, viewport over graph, parameters at the right, log, status line; with splitters between them.
+// The window's layout: menu bar, viewport over graph, parameters at the right, log, status line; with
+// splitters between them.
 namespace pileus::editor {
 
 struct Editor;

@@ -19,7 +19,8 @@ using nodes::ParamSpec;
 using nodes::ParamType;
 using nodes::ParamValue;
 
-constexpr ImU32 kAxisColors[3] = {IM_COL32(214, 96, 92, 255), IM_COL32(120, 184, 96, 255), IM_COL32(92, 142, 220, 255)};
+constexpr ImU32 kAxisColors[3] = {IM_COL32(214, 96, 92, 255), IM_COL32(120, 184, 96, 255),
+                                  IM_COL32(92, 142, 220, 255)};
 
 struct Row {
   Editor& editor;
@@ -30,7 +31,8 @@ struct Row {
 };
 
 void set(const Row& row, const ParamValue& value, bool dragging) {
-  tryEdit(row.editor, nodes::setParam(row.editor.document.graph(), row.node, row.spec.id, value), "Set " + row.key(), dragging ? "param " + row.key() : "");
+  tryEdit(row.editor, nodes::setParam(row.editor.document.graph(), row.node, row.spec.id, value),
+          "Set " + row.key(), dragging ? "param " + row.key() : "");
 }
 
 NumberField numbers(const ParamSpec& spec) {
@@ -48,16 +50,21 @@ void after(const Row& row, const NumberEdit& edit, const ParamValue& value) {
   if (edit.dragging) row.editor.preview.touch();
   if (edit.finished) row.editor.document.endMerge();
   Parameters& panel = row.editor.parameters;
-  if (edit.refused) panel.refusedKey = row.key(), panel.refusedAt = ImGui::GetTime();
-  else if (edit.changed) panel.refusedKey.clear();
+  if (edit.refused)
+    panel.refusedKey = row.key(), panel.refusedAt = ImGui::GetTime();
+  else if (edit.changed)
+    panel.refusedKey.clear();
 }
 
 void drawNumber(const Row& row, const ParamValue& value) {
   const bool integer = row.spec.type == ParamType::Int;
   double number = integer ? std::get<int>(value) : std::get<double>(value);
-  const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(), number, numbers(row.spec), row.width);
-  if (integer) after(row, edit, static_cast<int>(number));
-  else after(row, edit, number);
+  const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(),
+                                      number, numbers(row.spec), row.width);
+  if (integer)
+    after(row, edit, static_cast<int>(number));
+  else
+    after(row, edit, number);
 }
 
 void drawThree(const Row& row, const ParamValue& value, float width) {
@@ -68,7 +75,8 @@ void drawThree(const Row& row, const ParamValue& value, float width) {
     f.unit = "";
     f.mark = kAxisColors[i];
     ImGui::PushID(i);
-    const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(), v[i], f, i < 2 ? each : width - 2 * (each + gap));
+    const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(),
+                                        v[i], f, i < 2 ? each : width - 2 * (each + gap));
     row.editor.trace.item("param/" + row.spec.id + "/" + std::to_string(i));
     ImGui::PopID();
     if (i < 2) ImGui::SameLine(0, gap);
@@ -79,7 +87,8 @@ void drawThree(const Row& row, const ParamValue& value, float width) {
 float encoded(float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; }
 float decoded(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
 
-/// A swatch that opens a picker, and the linear numbers. The picker works on the encoded colour below 1 and keeps what is above as a factor.
+/// A swatch that opens a picker, and the linear numbers. The picker works on the encoded colour below 1 and
+/// keeps what is above as a factor.
 void drawColor(const Row& row, const ParamValue& value) {
   const Theme& theme = row.editor.theme;
   const dvec3 linear = std::get<dvec3>(value);
@@ -87,15 +96,21 @@ void drawColor(const Row& row, const ParamValue& value) {
   float shown[3];
   for (int i = 0; i < 3; ++i) shown[i] = encoded(static_cast<float>(std::max(linear[i], 0.0) / strength));
   const float swatch = ImGui::GetFrameHeight() * 1.3f;
-  if (ImGui::ColorButton("##swatch", {shown[0], shown[1], shown[2], 1}, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, {swatch, ImGui::GetFrameHeight()}))
+  if (ImGui::ColorButton("##swatch", {shown[0], shown[1], shown[2], 1},
+                         ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                         {swatch, ImGui::GetFrameHeight()}))
     ImGui::OpenPopup("picker");
   ImGui::SameLine(0, theme.px(4));
   drawThree(row, value, row.width - swatch - theme.px(4));
   if (ImGui::BeginPopup("picker")) {
     ImGui::SetNextItemWidth(theme.px(220));
-    if (ImGui::ColorPicker3("##picker", shown, ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_PickerHueBar)) {
+    if (ImGui::ColorPicker3("##picker", shown,
+                            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoInputs |
+                                ImGuiColorEditFlags_PickerHueBar)) {
       dvec3 next;
-      for (int i = 0; i < 3; ++i) next[i] = std::clamp(std::round(static_cast<double>(decoded(shown[i])) * strength * 1e4) / 1e4, row.spec.hardMin, row.spec.hardMax);
+      for (int i = 0; i < 3; ++i)
+        next[i] = std::clamp(std::round(static_cast<double>(decoded(shown[i])) * strength * 1e4) / 1e4,
+                             row.spec.hardMin, row.spec.hardMax);
       set(row, next, true);
       row.editor.preview.touch();
     }
@@ -145,7 +160,8 @@ void drawFile(const Row& row, const ParamValue& value) {
     request.start = start;
     if (!row.spec.fileKinds.empty()) request.kinds = {row.spec.fileKinds};
     request.done = [&editor, node = row.node, param = row.spec.id](const std::filesystem::path& path) {
-      tryEdit(editor, nodes::setParam(editor.document.graph(), node, param, path.string()), "Set " + node + "." + param);
+      tryEdit(editor, nodes::setParam(editor.document.graph(), node, param, path.string()),
+              "Set " + node + "." + param);
     };
     editor.browser.open(editor, std::move(request));
   }
@@ -162,12 +178,24 @@ void drawWidget(const Row& row, const ParamValue& value) {
       break;
     }
     case ParamType::Int:
-    case ParamType::Float: drawNumber(row, value); break;
-    case ParamType::Vector: drawThree(row, value, row.width); break;
-    case ParamType::Color: drawColor(row, value); break;
-    case ParamType::Text: drawText(row, value, row.width); break;
-    case ParamType::File: drawFile(row, value); break;
-    case ParamType::Enum: drawEnum(row, value); break;
+    case ParamType::Float:
+      drawNumber(row, value);
+      break;
+    case ParamType::Vector:
+      drawThree(row, value, row.width);
+      break;
+    case ParamType::Color:
+      drawColor(row, value);
+      break;
+    case ParamType::Text:
+      drawText(row, value, row.width);
+      break;
+    case ParamType::File:
+      drawFile(row, value);
+      break;
+    case ParamType::Enum:
+      drawEnum(row, value);
+      break;
   }
 }
 
@@ -176,9 +204,12 @@ void drawHelp(const Theme& theme, const ParamSpec& spec) {
   ImGui::PushTextWrapPos(theme.px(320));
   if (!spec.help.empty()) ImGui::TextUnformatted(spec.help.c_str());
   std::string facts;
-  const bool numeric = spec.type == ParamType::Int || spec.type == ParamType::Float || spec.type == ParamType::Vector || spec.type == ParamType::Color;
+  const bool numeric = spec.type == ParamType::Int || spec.type == ParamType::Float ||
+                       spec.type == ParamType::Vector || spec.type == ParamType::Color;
   const bool whole = spec.type == ParamType::Int;
-  if (numeric && spec.hardMin > -1e9) facts += fmt::format("{} to {}{}{}, ", numberText(spec.hardMin, whole), numberText(spec.hardMax, whole), spec.unit.empty() ? "" : " ", spec.unit);
+  if (numeric && spec.hardMin > -1e9)
+    facts += fmt::format("{} to {}{}{}, ", numberText(spec.hardMin, whole), numberText(spec.hardMax, whole),
+                         spec.unit.empty() ? "" : " ", spec.unit);
   const std::string fallback = nodes::formatParam(spec, spec.fallback);
   facts += "default " + (fallback.empty() ? std::string("empty") : fallback);
   ImGui::PushFont(theme.small);
@@ -200,9 +231,11 @@ float beginRow(const Editor& editor, const std::string& label, bool modified, bo
     if (ImGui::InvisibleButton("##reset", {dot, height}) && reset) *reset = true;
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ImGui::SetTooltip("Changed; click to reset");
-    draw->AddCircleFilled({at.x + theme.px(4), at.y + 0.5f * height}, theme.px(hovered ? 4.0f : 2.5f), palette::kAccent);
+    draw->AddCircleFilled({at.x + theme.px(4), at.y + 0.5f * height}, theme.px(hovered ? 4.0f : 2.5f),
+                          palette::kAccent);
   }
-  editor::drawText(draw, theme.body, {at.x + dot, at.y + 0.5f * (height - theme.body->FontSize)}, modified ? palette::kText : palette::kTextDim, label, labels - dot - theme.space(2));
+  editor::drawText(draw, theme.body, {at.x + dot, at.y + 0.5f * (height - theme.body->FontSize)},
+                   modified ? palette::kText : palette::kTextDim, label, labels - dot - theme.space(2));
   ImGui::SetCursorScreenPos({at.x + labels, at.y});
   return all - labels;
 }
@@ -211,7 +244,8 @@ void drawParamRow(Editor& editor, const std::string& name, const ParamSpec& spec
   const nodes::Node* node = nodes::findNode(editor.document.graph(), name);
   if (!node) return;
   const ParamValue value = nodes::paramValue(*node, spec);
-  const bool modified = node->params.contains(spec.id), animated = node->unknown.contains("params/" + spec.id);
+  const bool modified = node->params.contains(spec.id),
+             animated = node->unknown.contains("params/" + spec.id);
   ImGui::PushID(spec.id.c_str());
   const ImVec2 start = ImGui::GetCursorScreenPos();
   bool reset = false;
@@ -226,10 +260,12 @@ void drawParamRow(Editor& editor, const std::string& name, const ParamSpec& spec
   }
   editor.trace.item("param/" + spec.id);
   const ImVec2 lo = start, hi = {ImGui::GetItemRectMax().x, start.y + ImGui::GetFrameHeight()};
-  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({lo.x + editor.theme.px(14), lo.y}, hi);
+  const bool hovered =
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({lo.x + editor.theme.px(14), lo.y}, hi);
   if (hovered && ImGui::IsMouseReleased(1)) ImGui::OpenPopup("row menu");
   const bool busy = ImGui::IsAnyItemActive() || editor.parameters.numbers.typing != 0;
-  if (hovered && !busy && ImGui::GetIO().MousePos.x < lo.x + (hi.x - lo.x) * 0.41f) drawHelp(editor.theme, spec);
+  if (hovered && !busy && ImGui::GetIO().MousePos.x < lo.x + (hi.x - lo.x) * 0.41f)
+    drawHelp(editor.theme, spec);
   if (ImGui::BeginPopup("row menu")) {
     if (ImGui::MenuItem("Reset to Default", nullptr, false, modified)) reset = true;
     editor.trace.item("row menu/reset");

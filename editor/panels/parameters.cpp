@@ -42,7 +42,8 @@ void drawName(Editor& editor, const std::string& name) {
     if (!ImGui::IsItemActive()) panel.nameText = name;
     return;
   }
-  if (panel.nameText != name && tryEdit(editor, nodes::renameNode(editor.document.graph(), name, panel.nameText), "Rename " + name)) {
+  if (panel.nameText != name &&
+      tryEdit(editor, nodes::renameNode(editor.document.graph(), name, panel.nameText), "Rename " + name)) {
     std::set<std::string> selection = editor.document.selection();
     selection.erase(name);
     selection.insert(panel.nameText);
@@ -52,7 +53,8 @@ void drawName(Editor& editor, const std::string& name) {
   panel.nameOf.clear();
 }
 
-void drawHeader(Editor& editor, const std::string& name, const nodes::Node& node, const nodes::NodeType* type) {
+void drawHeader(Editor& editor, const std::string& name, const nodes::Node& node,
+                const nodes::NodeType* type) {
   const Theme& theme = editor.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -60,11 +62,14 @@ void drawHeader(Editor& editor, const std::string& name, const nodes::Node& node
   const char* mark = type ? categoryIcon(type->category) : icon::kWarning;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(at, {at.x + width, at.y + theme.px(26)}, color, theme.px(4));
-  drawText(draw, theme.body, {at.x + theme.px(9), at.y + theme.px(5)}, faded(palette::kTextStrong, 0.8f), mark, width);
-  drawText(draw, theme.strong, {at.x + theme.px(32), at.y + theme.px(5)}, palette::kTextStrong, type ? type->label : node.type, width - theme.px(90));
+  drawText(draw, theme.body, {at.x + theme.px(9), at.y + theme.px(5)}, faded(palette::kTextStrong, 0.8f),
+           mark, width);
+  drawText(draw, theme.strong, {at.x + theme.px(32), at.y + theme.px(5)}, palette::kTextStrong,
+           type ? type->label : node.type, width - theme.px(90));
   if (type) {
     const float right = textWidth(theme.small, type->category);
-    drawText(draw, theme.small, {at.x + width - right - theme.px(9), at.y + theme.px(6)}, faded(palette::kTextStrong, 0.7f), type->category, right + 1);
+    drawText(draw, theme.small, {at.x + width - right - theme.px(9), at.y + theme.px(6)},
+             faded(palette::kTextStrong, 0.7f), type->category, right + 1);
   }
   ImGui::Dummy({width, theme.px(28)});
   drawName(editor, name);
@@ -73,8 +78,12 @@ void drawHeader(Editor& editor, const std::string& name, const nodes::Node& node
     wrapped(palette::kTextDim, "", type->help);
     ImGui::PopFont();
   }
-  if (!type) wrapped(palette::kWarning, icon::kWarning, "This version does not know the type " + node.type + ". The node is kept as it is and does nothing.");
-  if (node.bypass) wrapped(palette::kWarning, icon::kBan, "Bypassed: its first fitting input passes through.");
+  if (!type)
+    wrapped(
+        palette::kWarning, icon::kWarning,
+        "This version does not know the type " + node.type + ". The node is kept as it is and does nothing.");
+  if (node.bypass)
+    wrapped(palette::kWarning, icon::kBan, "Bypassed: its first fitting input passes through.");
 }
 
 void drawStatus(Editor& editor, const std::string& name) {
@@ -91,10 +100,13 @@ void drawStatus(Editor& editor, const std::string& name) {
   ImGui::PushFont(theme.small);
   if (notes)
     for (const std::string& n : status.notes) wrapped(palette::kTextDim, "", n);
-  if (status.state == State::Pending) wrapped(palette::kTextDim, icon::kClock, fmt::format("{} {:.0f} %", status.what.empty() ? "Working" : status.what, 100 * status.fraction));
+  if (status.state == State::Pending)
+    wrapped(palette::kTextDim, icon::kClock,
+            fmt::format("{} {:.0f} %", status.what.empty() ? "Working" : status.what, 100 * status.fraction));
   std::string facts = fmt::format("CPU {:.1f} ms", status.cpuMs);
   if (status.gpuMs > 0) facts += fmt::format(", GPU {:.1f} ms", status.gpuMs);
-  if (status.bytes > 0) facts += fmt::format(", {:.1f} MiB", static_cast<double>(status.bytes) / (1024.0 * 1024.0));
+  if (status.bytes > 0)
+    facts += fmt::format(", {:.1f} MiB", static_cast<double>(status.bytes) / (1024.0 * 1024.0));
   wrapped(palette::kTextFaint, "", facts);
   ImGui::PopFont();
 }
@@ -102,7 +114,8 @@ void drawStatus(Editor& editor, const std::string& name) {
 void drawNode(Editor& editor, const std::string& name) {
   const nodes::Node* node = nodes::findNode(editor.document.graph(), name);
   if (!node) return;
-  const nodes::NodePtr keep = editor.document.graph().nodes.at(name);  // an edit while drawing replaces the graph
+  const nodes::NodePtr keep =
+      editor.document.graph().nodes.at(name);  // an edit while drawing replaces the graph
   const nodes::NodeType* type = nodes::findNodeType(node->type);
   ImGui::PushID(name.c_str());
   drawHeader(editor, name, *keep, type);
@@ -114,7 +127,8 @@ void drawNode(Editor& editor, const std::string& name) {
   ImGui::PopID();
 }
 
-void settingNumber(Editor& editor, const char* id, const std::string& label, double value, NumberField field, void (*apply)(nodes::Settings&, double)) {
+void settingNumber(Editor& editor, const char* id, const std::string& label, double value, NumberField field,
+                   void (*apply)(nodes::Settings&, double)) {
   ImGui::PushID(id);
   const float width = beginRow(editor, label, false, nullptr);
   const NumberEdit edit = numberField(editor.parameters.numbers, editor.theme, id, value, field, width);
@@ -122,7 +136,8 @@ void settingNumber(Editor& editor, const char* id, const std::string& label, dou
   if (edit.changed) {
     nodes::Graph graph = editor.document.graph();
     apply(graph.settings, value);
-    editor.document.edit(std::move(graph), label, edit.dragging ? std::string("setting ") + id : std::string());
+    editor.document.edit(std::move(graph), label,
+                         edit.dragging ? std::string("setting ") + id : std::string());
     editor.preview.touch();
   }
   if (edit.finished) editor.document.endMerge();
@@ -138,13 +153,18 @@ void drawDocument(Editor& editor) {
   separator(theme);
   const nodes::Settings s = editor.document.graph().settings;
   const NumberField pixels{64, 4096, 1, 65536, true, false, "px"};
-  settingNumber(editor, "width", "Picture width", s.size.x, pixels, [](nodes::Settings& t, double v) { t.size.x = static_cast<int>(v); });
-  settingNumber(editor, "height", "Picture height", s.size.y, pixels, [](nodes::Settings& t, double v) { t.size.y = static_cast<int>(v); });
+  settingNumber(editor, "width", "Picture width", s.size.x, pixels,
+                [](nodes::Settings& t, double v) { t.size.x = static_cast<int>(v); });
+  settingNumber(editor, "height", "Picture height", s.size.y, pixels,
+                [](nodes::Settings& t, double v) { t.size.y = static_cast<int>(v); });
   separator(theme);
   ImGui::PushFont(theme.small);
-  wrapped(palette::kTextFaint, "", fmt::format("{} nodes, {} links", editor.document.graph().nodes.size(), editor.document.graph().links.size()));
+  wrapped(palette::kTextFaint, "",
+          fmt::format("{} nodes, {} links", editor.document.graph().nodes.size(),
+                      editor.document.graph().links.size()));
   wrapped(palette::kTextFaint, "", "Working space " + s.workingSpace);
-  if (editor.viewport.colors) wrapped(palette::kTextFaint, "", "Colour configuration " + editor.viewport.colors->description());
+  if (editor.viewport.colors)
+    wrapped(palette::kTextFaint, "", "Colour configuration " + editor.viewport.colors->description());
   ImGui::PopFont();
 }
 
@@ -167,9 +187,12 @@ void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
   ImGui::SetCursorScreenPos({min.x + pad.x, min.y + pad.y});
   ImGui::BeginChild("parameters", {max.x - min.x - 2 * pad.x, max.y - min.y - 2 * pad.y}, false);
   const std::set<std::string>& selection = editor.document.selection();
-  if (selection.empty()) drawDocument(editor);
-  else if (selection.size() == 1) drawNode(editor, std::string(*selection.begin()));
-  else drawMany(editor);
+  if (selection.empty())
+    drawDocument(editor);
+  else if (selection.size() == 1)
+    drawNode(editor, std::string(*selection.begin()));
+  else
+    drawMany(editor);
   ImGui::EndChild();
   editor.trace.rect("parameters", min, max);
 }

@@ -23,25 +23,33 @@ std::vector<NodeTime> nodeTimes(const Editor& editor) {
   std::vector<NodeTime> times;
   for (const auto& [name, node] : editor.document.graph().nodes) {
     const nodes::NodeStatus& s = editor.preview.evaluator().status(name);
-    if (s.state != nodes::NodeState::Idle && s.cpuMs + s.gpuMs >= 0.05) times.push_back({name, s.cpuMs, s.gpuMs});
+    if (s.state != nodes::NodeState::Idle && s.cpuMs + s.gpuMs >= 0.05)
+      times.push_back({name, s.cpuMs, s.gpuMs});
   }
-  std::sort(times.begin(), times.end(), [](const NodeTime& a, const NodeTime& b) { return a.cpuMs + a.gpuMs > b.cpuMs + b.gpuMs; });
+  std::sort(times.begin(), times.end(),
+            [](const NodeTime& a, const NodeTime& b) { return a.cpuMs + a.gpuMs > b.cpuMs + b.gpuMs; });
   return times;
 }
 
-std::string ms(double value) { return value < 9.95 ? fmt::format("{:.1f} ms", value) : value < 9999.5 ? fmt::format("{:.0f} ms", value) : fmt::format("{:.1f} s", value / 1000); }
+std::string ms(double value) {
+  return value < 9.95     ? fmt::format("{:.1f} ms", value)
+         : value < 9999.5 ? fmt::format("{:.0f} ms", value)
+                          : fmt::format("{:.1f} s", value / 1000);
+}
 
 std::string pictureText(const Editor& editor) {
   const auto& picture = editor.preview.picture();
   if (!picture) return {};
   std::string text = fmt::format("{} \xc3\x97 {}", picture->size.x, picture->size.y);
-  if (picture->samples > 0) text += fmt::format(", {} sample{}", picture->samples, picture->samples == 1 ? "" : "s");
+  if (picture->samples > 0)
+    text += fmt::format(", {} sample{}", picture->samples, picture->samples == 1 ? "" : "s");
   return text;
 }
 
 void drawExport(Editor& editor, ImVec2 min, ImVec2 max) {
   const Theme& theme = editor.theme;
-  const std::string text = fmt::format("Exporting {} {:.0f} %", editor.exporter.target().filename().string(), 100 * editor.exporter.fraction());
+  const std::string text = fmt::format("Exporting {} {:.0f} %", editor.exporter.target().filename().string(),
+                                       100 * editor.exporter.fraction());
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme.space(2), theme.px(2)});
   if (ImGui::Button("Cancel export")) {
@@ -54,9 +62,11 @@ void drawExport(Editor& editor, ImVec2 min, ImVec2 max) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float bar = theme.px(120);
   draw->AddRectFilled({x, y - theme.px(3)}, {x + bar, y + theme.px(3)}, palette::kField, theme.px(3));
-  const auto t = static_cast<float>(std::clamp(editor.exporter.active() ? editor.exporter.fraction() : 0.0, 0.0, 1.0));
+  const auto t =
+      static_cast<float>(std::clamp(editor.exporter.active() ? editor.exporter.fraction() : 0.0, 0.0, 1.0));
   draw->AddRectFilled({x, y - theme.px(3)}, {x + bar * t, y + theme.px(3)}, palette::kAccent, theme.px(3));
-  drawText(draw, theme.small, {x + bar + theme.space(2), y - 0.5f * theme.small->FontSize}, palette::kText, text, max.x - x - bar);
+  drawText(draw, theme.small, {x + bar + theme.space(2), y - 0.5f * theme.small->FontSize}, palette::kText,
+           text, max.x - x - bar);
 }
 
 void drawMessage(Editor& editor, ImVec2 min, ImVec2 max, float right) {
@@ -68,7 +78,9 @@ void drawMessage(Editor& editor, ImVec2 min, ImVec2 max, float right) {
   const char* mark = error ? icon::kError : warning ? icon::kWarning : icon::kCheck;
   std::string text = std::string(mark) + "  " + editor.messages.text();
   std::replace(text.begin(), text.end(), '\n', ' ');
-  const float width = drawText(ImGui::GetWindowDrawList(), theme.small, {min.x + theme.space(3), 0.5f * (min.y + max.y - theme.small->FontSize)}, ink, text, right - min.x - theme.space(6));
+  const float width = drawText(ImGui::GetWindowDrawList(), theme.small,
+                               {min.x + theme.space(3), 0.5f * (min.y + max.y - theme.small->FontSize)}, ink,
+                               text, right - min.x - theme.space(6));
   if (ImGui::IsMouseHoveringRect(min, {min.x + theme.space(3) + width, max.y})) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(theme.px(520));
@@ -111,13 +123,19 @@ void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max) {
   draw->AddRectFilled(min, max, palette::kBar);
   const std::vector<NodeTime> times = nodeTimes(editor);
   std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i) text += times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + "   ";
+  for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i)
+    text += times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + "   ";
   text += pictureText(editor) + "   frame " + ms(editor.frameMs);
-  const float width = textWidth(theme.small, text), right = std::max(max.x - theme.space(3) - width, min.x + (max.x - min.x) * 0.35f);
-  const float used = drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)}, palette::kTextDim, text, max.x - right - theme.space(3) + 1);
-  if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && !times.empty()) timesTooltip(editor, times);
-  if (editor.exporter.active()) drawExport(editor, min, {right, max.y});
-  else drawMessage(editor, min, max, right);
+  const float width = textWidth(theme.small, text),
+              right = std::max(max.x - theme.space(3) - width, min.x + (max.x - min.x) * 0.35f);
+  const float used = drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)},
+                              palette::kTextDim, text, max.x - right - theme.space(3) + 1);
+  if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && !times.empty())
+    timesTooltip(editor, times);
+  if (editor.exporter.active())
+    drawExport(editor, min, {right, max.y});
+  else
+    drawMessage(editor, min, max, right);
   editor.trace.rect("status", min, max);
 }
 

@@ -34,7 +34,8 @@ void updateColors(Editor& editor) {
   viewport.colorError.clear();
   viewport.drawnPicture = nullptr;
   std::filesystem::path path = wanted;
-  if (!wanted.empty() && path.is_relative() && !editor.document.path().empty()) path = editor.document.path().parent_path() / path;
+  if (!wanted.empty() && path.is_relative() && !editor.document.path().empty())
+    path = editor.document.path().parent_path() / path;
   Result<std::shared_ptr<const image::ColorConfig>> config = image::ColorConfig::load(path.string());
   if (!config) {
     viewport.colorError = config.error().message;
@@ -50,17 +51,22 @@ void updateTexture(Editor& editor, ivec2 size) {
   const auto& picture = editor.preview.picture();
   if (!picture || !viewport.colors) return void(viewport.texture = 0);
   const view::DisplaySettings settings = displaySettings(editor);
-  if (viewport.drawnPicture == picture.get() && viewport.drawnFraction == picture->fraction && viewport.drawnSamples == picture->samples &&
-      viewport.drawnSize == size && viewport.drawnSettings == settings && viewport.texture)
+  if (viewport.drawnPicture == picture.get() && viewport.drawnFraction == picture->fraction &&
+      viewport.drawnSamples == picture->samples && viewport.drawnSize == size &&
+      viewport.drawnSettings == settings && viewport.texture)
     return;
-  Result<unsigned> texture = viewport.display.draw(picture->color, picture->size, size, *viewport.colors, settings);
+  Result<unsigned> texture =
+      viewport.display.draw(picture->color, picture->size, size, *viewport.colors, settings);
   if (!texture && viewport.colorError != texture.error().message) {
     // A display or view this configuration does not have: say so, and show its default.
     viewport.colorError = texture.error().message;
     editor.messages.warn(viewport.colorError);
   }
-  if (!texture) texture = viewport.display.draw(picture->color, picture->size, size, *viewport.colors, {"", "", settings.exposure});
-  else viewport.colorError.clear();
+  if (!texture)
+    texture = viewport.display.draw(picture->color, picture->size, size, *viewport.colors,
+                                    {"", "", settings.exposure});
+  else
+    viewport.colorError.clear();
   viewport.texture = texture ? *texture : 0;
   viewport.drawnPicture = picture.get();
   viewport.drawnFraction = picture->fraction;
@@ -71,7 +77,8 @@ void updateTexture(Editor& editor, ivec2 size) {
 
 Viewport::Drag dragOf(const ImGuiIO& io) {
   // Alt is the convention; without it the left and middle buttons still do the obvious.
-  if (ImGui::IsMouseClicked(0)) return io.KeyShift && !io.KeyAlt ? Viewport::Drag::Pan : Viewport::Drag::Orbit;
+  if (ImGui::IsMouseClicked(0))
+    return io.KeyShift && !io.KeyAlt ? Viewport::Drag::Pan : Viewport::Drag::Orbit;
   if (ImGui::IsMouseClicked(2)) return Viewport::Drag::Pan;
   if (ImGui::IsMouseClicked(1)) return Viewport::Drag::Dolly;
   return Viewport::Drag::None;
@@ -84,19 +91,26 @@ void moveCamera(Editor& editor, float pictureHeight, bool hovered) {
   if (hovered && viewport.drag == Drag::None) viewport.drag = dragOf(io);
   if (viewport.drag != Drag::None) {
     const double fine = io.KeyShift && viewport.drag == Drag::Orbit ? 0.2 : 1;
-    const dvec2 moved = fine * dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)) / static_cast<double>(std::max(pictureHeight, 1.0f));
+    const dvec2 moved = fine *
+                        dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)) /
+                        static_cast<double>(std::max(pictureHeight, 1.0f));
     if (moved != dvec2(0)) {
       const scene::Camera camera = currentCamera(editor);
-      if (viewport.drag == Drag::Orbit) setCamera(editor, orbited(camera, moved * kPi), "Orbit camera", "camera drag");
-      else if (viewport.drag == Drag::Pan) setCamera(editor, panned(camera, moved), "Pan camera", "camera drag");
-      else setCamera(editor, dollied(camera, std::exp(2.5 * (moved.y - moved.x))), "Dolly camera", "camera drag");
+      if (viewport.drag == Drag::Orbit)
+        setCamera(editor, orbited(camera, moved * kPi), "Orbit camera", "camera drag");
+      else if (viewport.drag == Drag::Pan)
+        setCamera(editor, panned(camera, moved), "Pan camera", "camera drag");
+      else
+        setCamera(editor, dollied(camera, std::exp(2.5 * (moved.y - moved.x))), "Dolly camera",
+                  "camera drag");
     }
     if (!ImGui::IsAnyMouseDown()) {
       viewport.drag = Drag::None;
       editor.document.endMerge();
     }
   } else if (hovered && io.MouseWheel != 0) {
-    setCamera(editor, dollied(currentCamera(editor), std::pow(0.88, static_cast<double>(io.MouseWheel))), "Dolly camera", "camera wheel");
+    setCamera(editor, dollied(currentCamera(editor), std::pow(0.88, static_cast<double>(io.MouseWheel))),
+              "Dolly camera", "camera wheel");
     viewport.wheelEdit = true;
     viewport.wheelAt = ImGui::GetTime();
   }
@@ -114,25 +128,36 @@ void drawChip(const Theme& theme, vec2 at, const std::string& text, ImU32 ink) {
   drawText(draw, theme.small, at + pad, ink, text, size.x + 1);
 }
 
-/// What the picture is: a draft, how far the final one is, what it waits for; and a thin bar along its lower edge.
+/// What the picture is: a draft, how far the final one is, what it waits for; and a thin bar along its lower
+/// edge.
 void drawProgress(Editor& editor, vec2 lo, vec2 hi) {
   const Preview& preview = editor.preview;
   if (preview.settled()) return;
   std::string text = preview.waitingFor();
   const auto percent = static_cast<int>(100 * std::clamp(preview.fraction(), 0.0, 1.0));
-  if (preview.paused()) text = fmt::format("Paused at {} %, Esc continues", percent);
-  else if (!text.empty()) text = fmt::format("{} {} %", text, percent);
-  else if (preview.draft() && preview.picture()) text = preview.fraction() > 0 ? fmt::format("Draft, final {} %", percent) : "Draft";
-  else text = fmt::format("{} %", percent);
+  if (preview.paused())
+    text = fmt::format("Paused at {} %, Esc continues", percent);
+  else if (!text.empty())
+    text = fmt::format("{} {} %", text, percent);
+  else if (!preview.refining())
+    text = "Draft";
+  else if (preview.draft() && preview.picture())
+    text = fmt::format("Draft, final {} %", percent);
+  else
+    text = fmt::format("{} %", percent);
   const Theme& theme = editor.theme;
   drawChip(theme, lo + vec2(theme.space(2)), text, palette::kText);
   editor.trace.note("chip", text);
   const float height = theme.px(2);
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled({lo.x, hi.y - height}, {lo.x + (hi.x - lo.x) * static_cast<float>(std::clamp(preview.fraction(), 0.0, 1.0)), hi.y}, palette::kAccent);
+  draw->AddRectFilled(
+      {lo.x, hi.y - height},
+      {lo.x + (hi.x - lo.x) * static_cast<float>(std::clamp(preview.fraction(), 0.0, 1.0)), hi.y},
+      palette::kAccent);
 }
 
-void drawCentered(const Theme& theme, vec2 lo, vec2 hi, const char* mark, ImU32 ink, const std::string& title, const std::string& text) {
+void drawCentered(const Theme& theme, vec2 lo, vec2 hi, const char* mark, ImU32 ink, const std::string& title,
+                  const std::string& text) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float width = std::min(hi.x - lo.x - theme.space(8), theme.px(560));
   if (width < theme.px(80)) return;
@@ -140,9 +165,11 @@ void drawCentered(const Theme& theme, vec2 lo, vec2 hi, const char* mark, ImU32 
   const std::string head = std::string(mark) + "  " + title;
   const float height = theme.title->FontSize + theme.space(2) + size.y;
   const vec2 middle = 0.5f * (lo + hi);
-  drawText(draw, theme.title, {middle.x - 0.5f * textWidth(theme.title, head), middle.y - 0.5f * height}, ink, head, width);
+  drawText(draw, theme.title, {middle.x - 0.5f * textWidth(theme.title, head), middle.y - 0.5f * height}, ink,
+           head, width);
   draw->AddText(theme.body, theme.body->FontSize,
-                {std::round(middle.x - 0.5f * size.x), std::round(middle.y - 0.5f * height + theme.title->FontSize + theme.space(2))},
+                {std::round(middle.x - 0.5f * size.x),
+                 std::round(middle.y - 0.5f * height + theme.title->FontSize + theme.space(2))},
                 palette::kText, text.c_str(), nullptr, width);
 }
 
@@ -155,9 +182,11 @@ void drawNotice(Editor& editor, vec2 lo, vec2 hi) {
     drawCentered(theme, lo, hi, icon::kError, palette::kError, "No new picture", preview.error());
     editor.trace.note("viewport error", preview.error());
   } else if (shownView(editor).empty()) {
-    drawCentered(theme, lo, hi, icon::kPicture, palette::kTextDim, "Nothing to show yet", "Add a View node and link an image to it to see it here.");
+    drawCentered(theme, lo, hi, icon::kPicture, palette::kTextDim, "Nothing to show yet",
+                 "Add a View node and link an image to it to see it here.");
   } else if (!preview.picture() && preview.settled()) {
-    drawCentered(theme, lo, hi, icon::kPicture, palette::kTextDim, "No image is linked", "Link a Render node's image to " + shownView(editor) + ".");
+    drawCentered(theme, lo, hi, icon::kPicture, palette::kTextDim, "No image is linked",
+                 "Link a Render node's image to " + shownView(editor) + ".");
   }
 }
 
@@ -174,13 +203,16 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
   vec2 lo = vec(panelMin) + vec2(0, bar), hi = vec(panelMax);
   fit(editor, lo, hi);
   const vec2 wanted = (hi - lo) * static_cast<float>(editor.settings.viewportResolution);
-  editor.viewport.renderSize = glm::clamp(ivec2(glm::round(wanted)), ivec2(8), glm::max(editor.document.graph().settings.size, ivec2(8)));
+  editor.viewport.renderSize = glm::clamp(ivec2(glm::round(wanted)), ivec2(8),
+                                          glm::max(editor.document.graph().settings.size, ivec2(8)));
   updateTexture(editor, ivec2(hi - lo));
   draw->AddRectFilled(im(lo), im(hi), IM_COL32_BLACK);
   if (editor.viewport.texture) {
-    draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(editor.viewport.texture)), im(lo), im(hi));
+    draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(editor.viewport.texture)),
+                   im(lo), im(hi));
     const auto& picture = editor.preview.picture();
-    editor.trace.note("picture", fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
+    editor.trace.note("picture",
+                      fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
   }
   drawNotice(editor, lo, hi);
   drawProgress(editor, lo, hi);

@@ -1,5 +1,6 @@
 #pragma once
-// The viewport: the active output's picture through the display transform, its toolbar, and camera moves with the pointer.
+// The viewport: the active output's picture through the display transform, its toolbar, and camera moves with
+// the pointer.
 #include <imgui.h>
 
 #include <memory>
@@ -18,17 +19,17 @@ struct Editor;
 struct Viewport {
   explicit Viewport(view::Renderer& renderer) : display(renderer.shaders()) {}
 
-  std::string activeView;                    ///< output node chosen to be seen; "" or gone = the first one
-  std::optional<scene::Camera> freeCamera;   ///< where no camera is linked; absent: pictures frame the volumes
-  ivec2 renderSize{0};                       ///< what the panel asks the preview for
+  std::string activeView;                   ///< output node chosen to be seen; "" or gone = the first one
+  std::optional<scene::Camera> freeCamera;  ///< where no camera is linked; absent: pictures frame the volumes
+  ivec2 renderSize{0};                      ///< what the panel asks the preview for
 
   enum class Drag { None, Orbit, Pan, Dolly } drag = Drag::None;
-  bool wheelEdit = false;                    ///< wheel notches merge into one undo step until they rest
-  double wheelAt = 0;                        ///< ImGui time of the last notch
+  bool wheelEdit = false;  ///< wheel notches merge into one undo step until they rest
+  double wheelAt = 0;      ///< ImGui time of the last notch
 
   view::Display display;
   std::shared_ptr<const image::ColorConfig> colors;
-  std::string colorsOf = "\n";               ///< settings.ocio the config was loaded for
+  std::string colorsOf = "\n";  ///< settings.ocio the config was loaded for
   std::string colorError;
 
   // What the display texture was drawn from.

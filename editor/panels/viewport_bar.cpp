@@ -22,7 +22,8 @@ std::string textParam(const nodes::Node& node, const nodes::NodeType& type, cons
   return text ? *text : std::string();
 }
 
-void setText(Editor& editor, const std::string& node, const char* param, const std::string& value, const char* label) {
+void setText(Editor& editor, const std::string& node, const char* param, const std::string& value,
+             const char* label) {
   tryEdit(editor, nodes::setParam(editor.document.graph(), node, param, value), label);
 }
 
@@ -36,7 +37,8 @@ bool combo(Editor& editor, const char* id, const char* help, float width, const 
 void chooseOutput(Editor& editor, const std::string& view) {
   std::vector<std::string> views;
   for (const auto& [name, node] : editor.document.graph().nodes)
-    if (const nodes::NodeType* type = nodes::findNodeType(node->type); type && type->isOutput) views.push_back(name);
+    if (const nodes::NodeType* type = nodes::findNodeType(node->type); type && type->isOutput)
+      views.push_back(name);
   if (views.size() < 2) return;
   if (combo(editor, "##/output", "The output shown here", editor.theme.px(120), view)) {
     for (const std::string& name : views)
@@ -52,13 +54,16 @@ void chooseDisplay(Editor& editor, const std::string& node, const view::DisplayS
   const std::string view = current.view.empty() ? colors.defaultView(display) : current.view;
   if (combo(editor, "##/display", "Display: what the picture is shown on", editor.theme.px(126), display)) {
     for (const std::string& name : colors.displays())
-      if (ImGui::Selectable(name.c_str(), name == display) && name != display) setText(editor, node, "display", name == colors.defaultDisplay() ? "" : name, "Display");
+      if (ImGui::Selectable(name.c_str(), name == display) && name != display)
+        setText(editor, node, "display", name == colors.defaultDisplay() ? "" : name, "Display");
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  if (combo(editor, "##/view", "View transform: from scene light to that display", editor.theme.px(150), view)) {
+  if (combo(editor, "##/view", "View transform: from scene light to that display", editor.theme.px(150),
+            view)) {
     for (const std::string& name : colors.views(display))
-      if (ImGui::Selectable(name.c_str(), name == view) && name != view) setText(editor, node, "view", name == colors.defaultView(display) ? "" : name, "View");
+      if (ImGui::Selectable(name.c_str(), name == view) && name != view)
+        setText(editor, node, "view", name == colors.defaultView(display) ? "" : name, "View");
     ImGui::EndCombo();
   }
   ImGui::SameLine();
@@ -72,11 +77,15 @@ void dragExposure(Editor& editor, const std::string& node, const nodes::ParamSpe
   field.softMin = spec.softMin, field.softMax = spec.softMax;
   field.hardMin = spec.hardMin, field.hardMax = spec.hardMax;
   field.unit = "stops";
-  const NumberEdit edit = numberField(editor.parameters.numbers, editor.theme, "##exposure", value, field, editor.theme.px(112));
+  const NumberEdit edit =
+      numberField(editor.parameters.numbers, editor.theme, "##exposure", value, field, editor.theme.px(112));
   editor.trace.item("viewport/exposure");
-  if (edit.changed) tryEdit(editor, nodes::setParam(editor.document.graph(), node, "exposure", value), "Exposure", edit.dragging ? "viewport exposure" : "");
+  if (edit.changed)
+    tryEdit(editor, nodes::setParam(editor.document.graph(), node, "exposure", value), "Exposure",
+            edit.dragging ? "viewport exposure" : "");
   if (edit.finished) editor.document.endMerge();
-  if (ImGui::IsItemHovered() && !edit.dragging) tooltip(editor.theme, "Exposure: [ and ] change it by half a stop, Ctrl+R resets it");
+  if (ImGui::IsItemHovered() && !edit.dragging)
+    tooltip(editor.theme, "Exposure: [ and ] change it by half a stop, Ctrl+R resets it");
   if (ImGui::IsItemClicked(1)) resetExposure(editor);
 }
 
@@ -89,7 +98,8 @@ void chooseResolution(Editor& editor) {
   const std::string shown = fmt::format("{:.0f} %", 100 * editor.settings.viewportResolution);
   if (combo(editor, "##/resolution", "Rendered pixels per pixel of this panel", editor.theme.px(84), shown)) {
     for (const Choice& c : kChoices)
-      if (ImGui::Selectable(c.label, c.factor == editor.settings.viewportResolution)) editor.settings.viewportResolution = c.factor;
+      if (ImGui::Selectable(c.label, c.factor == editor.settings.viewportResolution))
+        editor.settings.viewportResolution = c.factor;
     ImGui::EndCombo();
   }
   ImGui::SameLine();
@@ -127,14 +137,19 @@ void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max) {
   chooseOutput(editor, view);
   if (type->param("display") && type->param("view")) chooseDisplay(editor, view, displaySettings(editor));
   chooseResolution(editor);
-  if (const nodes::ParamSpec* spec = type->param("exposure")) dragExposure(editor, view, *spec, displaySettings(editor).exposure);
+  if (const nodes::ParamSpec* spec = type->param("exposure"))
+    dragExposure(editor, view, *spec, displaySettings(editor).exposure);
   ImGui::EndGroup();
   const float used = ImGui::GetItemRectMax().x;
   const std::string camera = linkedCamera(editor, view);
-  const std::string text = std::string(icon::kCamera) + "  " + (camera.empty() ? (editor.viewport.freeCamera ? "Free camera" : "Framed volumes") : camera);
+  const std::string text =
+      std::string(icon::kCamera) + "  " +
+      (camera.empty() ? (editor.viewport.freeCamera ? "Free camera" : "Framed volumes") : camera);
   const float width = textWidth(theme.small, text), room = max.x - theme.space(3) - used - theme.space(3);
   if (room > theme.px(60))
-    drawText(ImGui::GetWindowDrawList(), theme.small, {std::max(max.x - theme.space(3) - width, used + theme.space(3)), min.y + 0.5f * (max.y - min.y - theme.small->FontSize)},
+    drawText(ImGui::GetWindowDrawList(), theme.small,
+             {std::max(max.x - theme.space(3) - width, used + theme.space(3)),
+              min.y + 0.5f * (max.y - min.y - theme.small->FontSize)},
              palette::kTextDim, text, room);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The viewport's toolbar: which output, display, view, exposure, resolution. Display, view and exposure edit the output node.
+// The viewport's toolbar: which output, display, view, exposure, resolution. Display, view and exposure edit
+// the output node.
 #include <imgui.h>
 
 #include "renderer/view/display.h"

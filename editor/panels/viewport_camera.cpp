@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::string_view kViewType = "output.view";
 
-const nodes::Node* shownNode(const Editor& editor) { return nodes::findNode(editor.document.graph(), shownView(editor)); }
+const nodes::Node* shownNode(const Editor& editor) {
+  return nodes::findNode(editor.document.graph(), shownView(editor));
+}
 
 const nodes::SocketSpec* socketOfType(const nodes::NodeType& type, nodes::SocketType wanted) {
   for (const nodes::SocketSpec& s : type.inputs)
@@ -30,7 +32,8 @@ Box3 volumeBounds(const Editor& editor, const std::string& user) {
   for (const nodes::Link& link : graph.links) {
     if (link.toNode != user || link.toSocket != volumes->id || link.muted) continue;
     const nodes::SocketValue* value = editor.preview.evaluator().output(link.fromNode, link.fromSocket);
-    if (const auto* v = value ? std::get_if<nodes::VolumeValue>(value) : nullptr) box.extend(volume::worldBounds(v->items));
+    if (const auto* v = value ? std::get_if<nodes::VolumeValue>(value) : nullptr)
+      box.extend(volume::worldBounds(v->items));
   }
   return box;
 }
@@ -42,7 +45,9 @@ double aspect(const Editor& editor) {
 
 void setExposure(Editor& editor, double stops) {
   const std::string view = shownView(editor);
-  if (!view.empty()) tryEdit(editor, nodes::setParam(editor.document.graph(), view, "exposure", stops), "Exposure", "exposure keys");
+  if (!view.empty())
+    tryEdit(editor, nodes::setParam(editor.document.graph(), view, "exposure", stops), "Exposure",
+            "exposure keys");
 }
 
 double exposure(const Editor& editor) {
@@ -58,7 +63,8 @@ double exposure(const Editor& editor) {
 std::string shownView(const Editor& editor) {
   const nodes::Graph& graph = editor.document.graph();
   const nodes::Node* chosen = nodes::findNode(graph, editor.viewport.activeView);
-  if (chosen && nodes::findNodeType(chosen->type) && nodes::findNodeType(chosen->type)->isOutput) return editor.viewport.activeView;
+  if (chosen && nodes::findNodeType(chosen->type) && nodes::findNodeType(chosen->type)->isOutput)
+    return editor.viewport.activeView;
   for (const auto& [name, node] : graph.nodes)
     if (node->type == kViewType) return name;
   return {};
@@ -89,7 +95,8 @@ std::string linkedCamera(const Editor& editor, const std::string& view) {
     const nodes::Node* source = nodes::findNode(graph, link.fromNode);
     const nodes::NodeType* type = source ? nodes::findNodeType(source->type) : nullptr;
     const int output = type ? type->outputIndex(link.fromSocket) : -1;
-    if (output >= 0 && type->outputs[static_cast<std::size_t>(output)].type == nodes::SocketType::Camera && type->param("eye") && type->param("target"))
+    if (output >= 0 && type->outputs[static_cast<std::size_t>(output)].type == nodes::SocketType::Camera &&
+        type->param("eye") && type->param("target"))
       return link.fromNode;
   }
   return {};
@@ -120,7 +127,8 @@ scene::Camera currentCamera(const Editor& editor) {
   return camera;
 }
 
-void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label, const std::string& mergeKey) {
+void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label,
+               const std::string& mergeKey) {
   const std::string name = linkedCamera(editor, shownView(editor));
   editor.preview.touch();
   if (name.empty()) {
@@ -129,7 +137,8 @@ void setCamera(Editor& editor, const scene::Camera& camera, const std::string& l
   }
   // Six significant digits are far below a pixel and keep files readable.
   const auto tidy = [&](dvec3 v) {
-    const double step = std::pow(10.0, std::floor(std::log10(std::max(glm::length(camera.eye - camera.target), 1e-6))) - 5);
+    const double step =
+        std::pow(10.0, std::floor(std::log10(std::max(glm::length(camera.eye - camera.target), 1e-6))) - 5);
     return glm::round(v / step) * step;
   };
   Result<nodes::Graph> graph = nodes::setParam(editor.document.graph(), name, "eye", tidy(camera.eye));

@@ -1,5 +1,6 @@
 #pragma once
-// Which output the viewport shows, and the camera that makes its picture: a linked camera node (edited as undo steps) or the free camera.
+// Which output the viewport shows, and the camera that makes its picture: a linked camera node (edited as
+// undo steps) or the free camera.
 #include <string>
 
 #include "renderer/scene/camera.h"
@@ -17,7 +18,8 @@ std::string linkedCamera(const Editor& editor, const std::string& view);
 /// The camera the picture is made with now.
 scene::Camera currentCamera(const Editor& editor);
 /// Edits the linked camera node (steps with one mergeKey become one undo step) or sets the free camera.
-void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label, const std::string& mergeKey);
+void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label,
+               const std::string& mergeKey);
 
 // Actions.
 void frameVolumes(Editor& editor);

@@ -1,7 +1,7 @@
 // The editor in a real window with real input: a whole session, and what must never happen in one.
+#include "nodes/serialize.h"
 #include "renderer/image/exr.h"
 #include "renderer/image/metrics.h"
-#include "nodes/serialize.h"
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {
@@ -44,15 +44,18 @@ bool hasLink(const json& trace, const std::string& link) {
 
 /// Wheel notches over the canvas, so that there is room around the nodes.
 void zoomOut(const UiSession& ui, int notches) {
+  ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
   ui.move(ui.emptySpot());
   for (int i = 0; i < notches; ++i) ui.input({"click", "5"});
-  pause(0.4);
+  ui.settle();
 }
 
 TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   UiSession ui({1280, 720}, {graphFile().string()});
   ASSERT_TRUE(ui.running()) << ui.log();
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true && t["notes"].contains("picture"); }, 60)) << ui.log();
+  ASSERT_TRUE(
+      ui.waitFor([](const json& t) { return t["complete"] == true && t["notes"].contains("picture"); }, 60))
+      << ui.log();
   ui.screenshot("01-opened");
   zoomOut(ui, 3);
 
@@ -61,7 +64,8 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   ui.key("Tab");
   ASSERT_TRUE(ui.waitRect("search/field"));
   ui.type("sphr");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("search/0", "") == "Sphere"; })) << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("search/0", "") == "Sphere"; }))
+      << ui.trace()["notes"];
   ui.screenshot("02-search");
   ui.key("Return");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("Sphere"); }));
@@ -69,7 +73,8 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
 
   // A link between sockets.
   ui.drag(ui.center("socket/Sphere/out/volume"), ui.center("socket/Render/in/volumes"));
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return hasLink(t, "Sphere.volume -> Render.volumes"); })) << ui.trace()["document"]["links"];
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return hasLink(t, "Sphere.volume -> Render.volumes"); }))
+      << ui.trace()["document"]["links"];
 
   // A link that cannot be: the reason stands beside the pointer, and nothing changes.
   const json before = ui.trace()["document"];
@@ -108,12 +113,15 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   ui.dragTo(slider, {slider.x + 40, slider.y});
   ui.screenshot("05-dragging");
   ui.release();
-  const auto elevation = [&] { return ui.trace()["document"]["nodes"]["Sun"]["params"].value("elevation", -1.0); };
+  const auto elevation = [&] {
+    return ui.trace()["document"]["nodes"]["Sun"]["params"].value("elevation", -1.0);
+  };
   ASSERT_TRUE(ui.waitFor([&](const json&) { return elevation() > 31; })) << elevation();
   const double dragged = elevation();
   ui.move(ui.emptySpot());
   ui.key("ctrl+z");
-  EXPECT_TRUE(ui.waitFor([&](const json& t) { return elevation() == 30 && t["undo"] == undoBefore; })) << "the whole drag is one step";
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return elevation() == 30 && t["undo"] == undoBefore; }))
+      << "the whole drag is one step";
   ui.key("ctrl+shift+z");
   EXPECT_TRUE(ui.waitFor([&](const json&) { return elevation() == dragged; })) << elevation();
 
@@ -123,7 +131,10 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   ui.drag(view, {view.x + 60, view.y + 10});
   EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Camera"] != undoCamera; }));
   ui.key("bracketright");
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"]["View"].contains("params") && t["document"]["nodes"]["View"]["params"]["exposure"] == 0.5; }));
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["document"]["nodes"]["View"].contains("params") &&
+           t["document"]["nodes"]["View"]["params"]["exposure"] == 0.5;
+  }));
 
   // Save as: what is in the file is what is on the screen.
   const std::filesystem::path saved = scratchFolder() / "saved.json";
@@ -132,7 +143,8 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   ui.screenshot("06-save-as");
   ui.type(saved.string());
   ui.key("Return");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["dirty"] == false && t["path"] != ""; })) << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["dirty"] == false && t["path"] != ""; }))
+      << ui.trace()["notes"];
   EXPECT_EQ(json::parse(textOf(saved)), ui.trace()["document"]);
 
   // Export from the menu equals the command line's picture.
@@ -146,7 +158,9 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   ASSERT_TRUE(ui.waitRect("browser/name"));
   ui.type((folder / "editor.exr").string());
   ui.key("Return");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["message"].get<std::string>().starts_with("Exported"); }, 60)) << ui.trace()["message"];
+  ASSERT_TRUE(
+      ui.waitFor([](const json& t) { return t["message"].get<std::string>().starts_with("Exported"); }, 60))
+      << ui.trace()["message"];
   const RunResult rendered = pileus({"render", saved.string(), "-o", (folder / "cli.exr").string()});
   ASSERT_EQ(rendered.exitCode, 0) << rendered.err;
   const auto a = image::readExr(folder / "editor.exr"), b = image::readExr(folder / "cli.exr");
@@ -196,9 +210,11 @@ TEST(Session, CopyPasteDuplicateBypassAndTyping) {
   ui.key("ctrl+d");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("Sun 3"); }));
   ui.key("d");
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"]["Sun 3"].value("bypass", false); }));
+  EXPECT_TRUE(
+      ui.waitFor([](const json& t) { return t["document"]["nodes"]["Sun 3"].value("bypass", false); }));
 
-  // Typing: a value beyond the soft range but inside the hard one is taken, one beyond that is refused with the range.
+  // Typing: a value beyond the soft range but inside the hard one is taken, one beyond that is refused with
+  // the range.
   ui.click("header/Box");
   ASSERT_TRUE(ui.waitRect("param/density"));
   const auto typeDensity = [&](const std::string& text) {
@@ -211,9 +227,13 @@ TEST(Session, CopyPasteDuplicateBypassAndTyping) {
     ui.key("Return");
   };
   typeDensity("7.25");
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"]["Box"]["params"]["density"] == 7.25; })) << ui.trace()["document"]["nodes"]["Box"];
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["document"]["nodes"]["Box"]["params"]["density"] == 7.25;
+  })) << ui.trace()["document"]["nodes"]["Box"];
   typeDensity("-5");
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("refusal", "").find("out of range") != std::string::npos; })) << ui.trace()["notes"];
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["notes"].value("refusal", "").find("out of range") != std::string::npos;
+  })) << ui.trace()["notes"];
   EXPECT_EQ(ui.trace()["document"]["nodes"]["Box"]["params"]["density"], 7.25);
   ui.screenshot("10-refused-value");
 }
@@ -223,11 +243,31 @@ TEST(Session, ABadFileIsRefusedAndNothingIsLost) {
   std::ofstream(bad) << "{ \"pileus\": 1, ";
   UiSession ui({1280, 720}, {bad.string()});
   ASSERT_TRUE(ui.running()) << ui.log();
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("dialog error", "").find("bad.json") != std::string::npos; })) << ui.trace()["notes"];
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["notes"].value("dialog error", "").find("bad.json") != std::string::npos;
+  })) << ui.trace()["notes"];
   ui.screenshot("11-bad-file");
   ui.key("Escape");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return !t["notes"].contains("dialog error"); }));
   ui.screenshot("12-empty");
+  ui.key("ctrl+q");
+  EXPECT_EQ(ui.waitExit(), 0);
+}
+
+TEST(Session, FaultsAreListedAndSurviveASave) {
+  const std::filesystem::path file = scratchFolder() / "future.json";
+  std::ofstream(file)
+      << R"({ "pileus": 1, "nodes": { "New": { "type": "from.tomorrow", "at": [0, 0], "params": { "x": 1 } } }, "links": [] })";
+  UiSession ui({1280, 720}, {file.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitRect("dialog/close"));
+  ui.screenshot("14-faults");
+  ui.key("Return");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("dialog/close"); }));
+  ui.key("ctrl+s");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["message"].get<std::string>().starts_with("Saved"); }))
+      << ui.trace()["message"];
+  EXPECT_EQ(json::parse(textOf(file))["nodes"]["New"]["params"]["x"], 1);
   ui.key("ctrl+q");
   EXPECT_EQ(ui.waitExit(), 0);
 }

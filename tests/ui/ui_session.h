@@ -1,6 +1,6 @@
 #pragma once
-// A real window to test with: starts Xvfb and the built binary, sends real input through xdotool, reads where things are from the
-// binary's trace, and keeps screenshots beside the build. Header only; one per test.
+// A real window to test with: starts Xvfb and the built binary, sends real input through xdotool, reads where
+// things are from the binary's trace, and keeps screenshots beside the build. Header only; one per test.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -15,6 +15,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 #include "renderer/base/file.h"
 #include "renderer/image/png.h"
@@ -32,7 +33,8 @@ inline std::string textOf(const std::filesystem::path& path) {
 inline void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 /// Starts a program in its own process group, its output in `log`.
-inline pid_t launch(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, const std::filesystem::path& log) {
+inline pid_t launch(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                    const std::filesystem::path& log) {
   const pid_t child = ::fork();
   if (child != 0) return child;
   ::setpgid(0, 0);
@@ -53,17 +55,22 @@ struct Point {
 
 class UiSession {
  public:
-  UiSession(ivec2 screen, const std::vector<std::string>& arguments) : screen_(screen), folder_(scratchFolder()) {
+  UiSession(ivec2 screen, const std::vector<std::string>& arguments)
+      : screen_(screen), folder_(scratchFolder()) {
     std::filesystem::create_directories(folder_ / "config" / "pileus");
-    std::ofstream(folder_ / "config" / "pileus" / "settings.json") << json{{"window", {screen.x, screen.y}}}.dump();
+    std::ofstream(folder_ / "config" / "pileus" / "settings.json")
+        << json{{"window", {screen.x, screen.y}}}.dump();
     if (!startServer()) return;
     std::vector<std::string> all{PILEUS_BINARY};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    app_ = launch(all,
-                  {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1", "PILEUS_UI_TRACE=" + tracePath().string(),
-                   "XDG_CONFIG_HOME=" + (folder_ / "config").string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()},
-                  folder_ / "app.log");
-    running_ = waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
+    app_ =
+        launch(all,
+               {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1",
+                "PILEUS_UI_TRACE=" + tracePath().string(), "XDG_CONFIG_HOME=" + (folder_ / "config").string(),
+                "XDG_CACHE_HOME=" + (folder_ / "cache").string()},
+               folder_ / "app.log");
+    running_ =
+        waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
   }
   ~UiSession() {
     for (const pid_t pid : {app_, server_}) {
@@ -92,6 +99,14 @@ class UiSession {
     }
     return false;
   }
+  /// Until nothing moves on the screen any more.
+  void settle() const {
+    json last, now = trace()["rects"];
+    for (int i = 0; i < 50 && now != last; ++i) {
+      pause(0.3);
+      last = std::exchange(now, trace()["rects"]);
+    }
+  }
   bool waitRect(const std::string& name, double seconds = 20) const {
     return waitFor([&](const json& t) { return t["rects"].contains(name); }, seconds);
   }
@@ -113,10 +128,12 @@ class UiSession {
     double bestDistance = -1;
     for (double x = canvas[0].get<double>() + 20; x < canvas[2].get<double>() - 20; x += 10)
       for (double y = canvas[1].get<double>() + 20; y < canvas[3].get<double>() - 20; y += 10) {
-        double nearest = std::min({x - canvas[0].get<double>(), canvas[2].get<double>() - x, y - canvas[1].get<double>(), canvas[3].get<double>() - y});
+        double nearest = std::min({x - canvas[0].get<double>(), canvas[2].get<double>() - x,
+                                   y - canvas[1].get<double>(), canvas[3].get<double>() - y});
         for (const auto& [name, r] : t["rects"].items()) {
           if (!name.starts_with("node/")) continue;
-          const double dx = std::max({r[0].get<double>() - x, 0.0, x - r[2].get<double>()}), dy = std::max({r[1].get<double>() - y, 0.0, y - r[3].get<double>()});
+          const double dx = std::max({r[0].get<double>() - x, 0.0, x - r[2].get<double>()}),
+                       dy = std::max({r[1].get<double>() - y, 0.0, y - r[3].get<double>()});
           nearest = std::min(nearest, std::hypot(dx, dy));
         }
         if (nearest > bestDistance) bestDistance = nearest, best = {x, y};
@@ -129,7 +146,9 @@ class UiSession {
     const RunResult r = run(arguments, 20, {display_});
     if (r.exitCode != 0) ADD_FAILURE() << "xdotool failed: " << r.err;
   }
-  void move(Point p) const { input({"mousemove", std::to_string(std::lround(p.x)), std::to_string(std::lround(p.y))}); }
+  void move(Point p) const {
+    input({"mousemove", std::to_string(std::lround(p.x)), std::to_string(std::lround(p.y))});
+  }
   void click(Point p, int button = 1) const {
     move(p);
     pause(0.15);
@@ -164,7 +183,7 @@ class UiSession {
     pause(0.15);
   }
   void type(const std::string& text) const {
-    input({"type", "--delay", "15", text});
+    input({"type", "--delay", "15", "--", text});
     pause(0.2);
   }
 
@@ -192,14 +211,18 @@ class UiSession {
     };
     const std::size_t width = word(4), height = word(5), stride = word(12), start = word(0) + 12 * word(19);
     std::vector<float> rgba(width * height * 4, 1.0f);
-    if (start + stride * height > dump->size()) return void(ADD_FAILURE() << "the frame buffer file is short");
+    if (start + stride * height > dump->size())
+      return void(ADD_FAILURE() << "the frame buffer file is short");
     for (std::size_t y = 0; y < height; ++y)
       for (std::size_t x = 0; x < width; ++x)
         for (std::size_t c = 0; c < 3; ++c)
-          rgba[4 * (y * width + x) + c] = static_cast<float>(static_cast<unsigned char>((*dump)[start + y * stride + 4 * x + 2 - c])) / 255.0f;
+          rgba[4 * (y * width + x) + c] =
+              static_cast<float>(static_cast<unsigned char>((*dump)[start + y * stride + 4 * x + 2 - c])) /
+              255.0f;
     const std::filesystem::path target = std::filesystem::path(PILEUS_BINARY).parent_path() / "screenshots";
     std::filesystem::create_directories(target);
-    const Result<void> written = image::writePng(target / (name + ".png"), ivec2(static_cast<int>(width), static_cast<int>(height)), rgba.data());
+    const Result<void> written = image::writePng(
+        target / (name + ".png"), ivec2(static_cast<int>(width), static_cast<int>(height)), rgba.data());
     if (!written) ADD_FAILURE() << written.error().message;
   }
 
@@ -211,8 +234,9 @@ class UiSession {
     int ready[2];
     if (::pipe(ready) != 0) return false;
     ::fcntl(ready[0], F_SETFD, FD_CLOEXEC);
-    server_ = launch({"Xvfb", "-displayfd", std::to_string(ready[1]), "-screen", "0", std::to_string(screen_.x) + "x" + std::to_string(screen_.y) + "x24",
-                      "+extension", "GLX", "-nolisten", "tcp", "-fbdir", folder_.string()},
+    server_ = launch({"Xvfb", "-displayfd", std::to_string(ready[1]), "-screen", "0",
+                      std::to_string(screen_.x) + "x" + std::to_string(screen_.y) + "x24", "+extension",
+                      "GLX", "-nolisten", "tcp", "-fbdir", folder_.string()},
                      {}, folder_ / "server.log");
     ::close(ready[1]);
     std::string number;

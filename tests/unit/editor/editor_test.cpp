@@ -20,7 +20,8 @@ TEST(Actions, IdsLabelsAndMenusAreSane) {
     EXPECT_NE(std::string(a.label), "") << a.id;
     EXPECT_NE(a.run, nullptr) << a.id;
     EXPECT_EQ(findAction(a.id), &a);
-    EXPECT_TRUE((std::set<std::string>{"", "File", "Edit", "View", "Help"}.contains(a.menu))) << a.id << " is in no menu: " << a.menu;
+    EXPECT_TRUE((std::set<std::string>{"", "File", "Edit", "View", "Help"}.contains(a.menu)))
+        << a.id << " is in no menu: " << a.menu;
     for (const Shortcut& s : a.keys)
       if (s.key) {
         EXPECT_EQ(shortcutText(s).find('?'), std::string::npos) << a.id << " has a key without a name";
@@ -37,7 +38,8 @@ TEST(Actions, NoShortcutMeansTwoThingsInOnePanel) {
       const auto [it, fresh] = seen.emplace(std::tuple{a.panel, s.key, s.ctrl, s.shift, s.alt}, a.id);
       EXPECT_TRUE(fresh) << shortcutText(s) << " is both " << it->second << " and " << a.id;
       if (a.panel == Panel::Global) continue;
-      EXPECT_FALSE(seen.contains({Panel::Global, s.key, s.ctrl, s.shift, s.alt})) << shortcutText(s) << " of " << a.id << " hides a global one";
+      EXPECT_FALSE(seen.contains({Panel::Global, s.key, s.ctrl, s.shift, s.alt}))
+          << shortcutText(s) << " of " << a.id << " hides a global one";
     }
 }
 
@@ -68,7 +70,8 @@ TEST(Settings, RoundTripThroughTheFile) {
 TEST(Settings, DamageNeverGetsThrough) {
   EXPECT_EQ(settingsFromText("not json"), Settings{});
   EXPECT_EQ(settingsFromText("[]"), Settings{});
-  const Settings s = settingsFromText(R"({"window": [1, -5], "viewportShare": "wide", "parametersWidth": 1e99, "recentFiles": [3, "x"], "new": 1})");
+  const Settings s = settingsFromText(
+      R"({"window": [1, -5], "viewportShare": "wide", "parametersWidth": 1e99, "recentFiles": [3, "x"], "new": 1})");
   EXPECT_EQ(s.window, ivec2(720, 480));
   EXPECT_EQ(s.viewportShare, Settings{}.viewportShare);
   EXPECT_EQ(s.parametersWidth, 900);
@@ -103,7 +106,8 @@ TEST(NumberField, LogarithmicDragsMultiply) {
   EXPECT_NEAR(draggedValue(1, -50, 200, f, false), 0.1, 1e-9);
   EXPECT_EQ(tidiedValue(12.3456, f, false, false), 12.3);
   f.softMin = 0;
-  EXPECT_EQ(tidiedValue(draggedValue(0.02, -400, 200, f, false), f, false, false), 0) << "the lower end of a range from zero is zero";
+  EXPECT_EQ(tidiedValue(draggedValue(0.02, -400, 200, f, false), f, false, false), 0)
+      << "the lower end of a range from zero is zero";
 }
 
 TEST(CameraControl, OrbitKeepsDistanceAndAvoidsThePoles) {

@@ -24,7 +24,8 @@ TEST(Fuzzy, PrefersBeginningsRunsAndShortNames) {
   EXPECT_GT(*fuzzyScore("box", "Box"), *fuzzyScore("box", "Box of many things"));
 }
 
-std::vector<std::string> labels(const std::vector<SearchItem>& items, std::string_view query, const std::vector<std::string>& recent) {
+std::vector<std::string> labels(const std::vector<SearchItem>& items, std::string_view query,
+                                const std::vector<std::string>& recent) {
   std::vector<std::string> out;
   for (const int i : rankItems(items, query, recent)) out.push_back(items[static_cast<std::size_t>(i)].label);
   return out;
@@ -49,15 +50,18 @@ TEST(NodeSearch, RecentTypesComeFirstWhenNothingIsTyped) {
 
 TEST(NodeSearch, AFilterLeavesOnlyWhatFits) {
   for (const bool fromOutput : {true, false})
-    for (const nodes::SocketType type : {nodes::SocketType::Light, nodes::SocketType::Image, nodes::SocketType::Volume}) {
+    for (const nodes::SocketType type :
+         {nodes::SocketType::Light, nodes::SocketType::Image, nodes::SocketType::Volume}) {
       const std::vector<SearchItem> items = searchItems(LinkFilter{fromOutput, type});
       EXPECT_FALSE(items.empty());
       std::size_t expected = 0;
       for (const nodes::NodeType& t : nodes::allNodeTypes())
-        for (const nodes::SocketSpec& s : fromOutput ? t.inputs : t.outputs) expected += s.type == type ? 1u : 0u;
+        for (const nodes::SocketSpec& s : fromOutput ? t.inputs : t.outputs)
+          expected += s.type == type ? 1u : 0u;
       EXPECT_EQ(items.size(), expected);
       for (const SearchItem& item : items) {
-        const int index = fromOutput ? item.type->inputIndex(item.socket) : item.type->outputIndex(item.socket);
+        const int index =
+            fromOutput ? item.type->inputIndex(item.socket) : item.type->outputIndex(item.socket);
         ASSERT_GE(index, 0) << item.label;
         const auto& sockets = fromOutput ? item.type->inputs : item.type->outputs;
         EXPECT_EQ(sockets[static_cast<std::size_t>(index)].type, type) << item.label;

@@ -199,7 +199,8 @@ TEST(HitTest, FindsBodiesDotsAndLabels) {
   const SocketPlace& in = *findSocket(*findPlace(layout, "Map"), "light", true);
   EXPECT_EQ(hitTest(layout, graph, sun.min + vec2(60, 10), 1, {}).kind, Hit::Kind::Node);
   EXPECT_EQ(hitTest(layout, graph, out.at, 1, {}).kind, Hit::Kind::Output);
-  EXPECT_EQ(hitTest(layout, graph, out.at - vec2(30, 0), 1, {}).kind, Hit::Kind::Output) << "the label belongs to the socket";
+  EXPECT_EQ(hitTest(layout, graph, out.at - vec2(30, 0), 1, {}).kind, Hit::Kind::Output)
+      << "the label belongs to the socket";
   EXPECT_EQ(hitTest(layout, graph, in.at + vec2(30, 0), 1, {}).kind, Hit::Kind::Input);
   EXPECT_EQ(hitTest(layout, graph, 0.5f * (out.at + in.at), 1, {}).kind, Hit::Kind::Link);
   EXPECT_EQ(hitTest(layout, graph, {-500, -500}, 1, {}).kind, Hit::Kind::Canvas);

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "editor/actions.h"
 #include "editor/files.h"
 #include "editor/icons.h"
@@ -76,7 +78,9 @@ void drawFaults(Editor& editor) {
   ImGui::TextUnformatted(
       "What could not be understood is kept as far as possible and written back when you save.");
   ImGui::PopTextWrapPos();
-  ImGui::BeginChild("list", {0, editor.theme.px(220)}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild(
+      "list", {0, editor.theme.px(std::min(260.0f, 30.0f + 26.0f * static_cast<float>(d.faults.size())))},
+      true, ImGuiWindowFlags_AlwaysUseWindowPadding);
   for (const nodes::Fault& f : d.faults) {
     ImGui::PushStyleColor(ImGuiCol_Text, f.error ? palette::kError : palette::kWarning);
     ImGui::TextUnformatted(f.error ? icon::kError : icon::kWarning);

@@ -17,18 +17,18 @@ void drawBody(const Theme& theme, const CanvasView& view, const NodePlace& place
   const vec2 lo = glm::round(view.screen(place.min)), hi = glm::round(view.screen(place.max));
   const float r = view.px(kRounding), bottom = std::round(lo.y + view.px(place.header));
   const bool bypassed = place.node->bypass;
-  const float alpha = bypassed ? 0.55f : 1.0f;
+  // Bypassed: sunk into the canvas, but opaque, so that nothing shines through.
+  const auto sunk = [&](ImU32 color) { return bypassed ? mixed(color, palette::kCanvas, 0.5f) : color; };
   // A soft shadow lifts the node off the grid.
   for (int i = 3; i >= 1; --i) {
     const auto grow = static_cast<float>(i) * theme.scale;
     draw->AddRectFilled({lo.x - grow, lo.y - grow + 2 * theme.scale},
                         {hi.x + grow, hi.y + grow + 2 * theme.scale}, IM_COL32(0, 0, 0, 28), r + grow);
   }
-  draw->AddRectFilled(
-      im(lo), im(hi),
-      faded(look.hovered ? mixed(palette::kNode, IM_COL32_WHITE, 0.03f) : palette::kNode, alpha), r);
+  draw->AddRectFilled(im(lo), im(hi),
+                      sunk(look.hovered ? mixed(palette::kNode, IM_COL32_WHITE, 0.03f) : palette::kNode), r);
   draw->AddRectFilled(im(lo), {hi.x, bottom},
-                      faded(look.hovered ? mixed(header, IM_COL32_WHITE, 0.08f) : header, alpha), r,
+                      sunk(look.hovered ? mixed(header, IM_COL32_WHITE, 0.08f) : header), r,
                       ImDrawFlags_RoundCornersTop);
   const bool failed = look.status && look.status->state == nodes::NodeState::Failed;
   const ImU32 border = look.selected ? palette::kSelect : failed ? palette::kError : palette::kNodeBorder;

@@ -116,7 +116,9 @@ void drawField(const Theme& theme, ImVec2 lo, ImVec2 hi, double value, const Num
 
 std::string numberText(double value, bool integer) {
   if (integer) return fmt::format("{:.0f}", value);
-  std::string text = fmt::format("{:.6g}", value);
+  // Large numbers are written out; the exponent is for what has no other short form.
+  std::string text = std::abs(value) >= 1e5 && std::abs(value) < 1e12 ? fmt::format("{:.12g}", value)
+                                                                      : fmt::format("{:.6g}", value);
   return text == "-0" ? "0" : text;
 }
 

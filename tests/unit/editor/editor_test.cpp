@@ -97,6 +97,8 @@ TEST(NumberField, DragsThroughTheSoftRangeAndRoundsLikeAPerson) {
   EXPECT_EQ(tidiedValue(7.4, f, false, false), 7);
   EXPECT_EQ(numberText(0.1 + 0.2, false), "0.3");
   EXPECT_EQ(numberText(-0.0, false), "0");
+  EXPECT_EQ(numberText(1e6, false), "1000000");
+  EXPECT_EQ(numberText(1e-7, false), "1e-07");
 }
 
 TEST(NumberField, LogarithmicDragsMultiply) {

@@ -135,12 +135,13 @@ Result<RayError> measure(const shadow::Gpu& gpu, const RayScene& scene, const sh
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"test/lookup.comp.glsl"}, shadow::lookupDefines(lights)));
   const gpu::LightRecord record = shadow::makeRecord(scene.light, extinction.map().get());
   gl::Buffer light, in, out;
+  light.reserve(MAX_LIGHTS * sizeof record);
   light.assign(&record, sizeof record);
   in.assign(std::span<const vec4>(scene.positions));
   out.reserve(scene.positions.size() * sizeof(float));
   program->use();
   gpu.store.bind();
-  light.bindStorage(BIND_LIGHTS);
+  light.bindUniform(BIND_LIGHTS);
   in.bindStorage(BIND_TEST_IN);
   out.bindStorage(BIND_TEST_OUT);
   program->set("count", int(scene.positions.size()));

@@ -5,8 +5,9 @@
 namespace pileus::gl {
 
 void Buffer::reset() {
+  if (texels_) glDeleteTextures(1, &texels_);
   if (id_) glDeleteBuffers(1, &id_);
-  id_ = 0;
+  id_ = texels_ = 0;
   capacity_ = 0;
 }
 
@@ -19,6 +20,14 @@ void Buffer::reserve(std::size_t bytes) {
   glNamedBufferStorage(id_, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_STORAGE_BIT);
   if (!label_.empty()) glObjectLabel(GL_BUFFER, id_, static_cast<GLsizei>(label_.size()), label_.data());
   capacity_ = size;
+}
+
+void Buffer::bindTexels(GLuint unit, GLenum format) const {
+  if (!texels_) {
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &texels_);
+    glTextureBuffer(texels_, format, id_);
+  }
+  glBindTextureUnit(unit, texels_);
 }
 
 void Buffer::assign(const void* data, std::size_t bytes) {

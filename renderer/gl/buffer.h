@@ -14,13 +14,14 @@ class Buffer {
   Buffer() = default;
   explicit Buffer(std::string_view label) : label_(label) {}
   ~Buffer() { reset(); }
-  Buffer(Buffer&& o) noexcept : label_(std::move(o.label_)), id_(std::exchange(o.id_, 0)), capacity_(std::exchange(o.capacity_, 0)) {}
+  Buffer(Buffer&& o) noexcept : label_(std::move(o.label_)), id_(std::exchange(o.id_, 0)), capacity_(std::exchange(o.capacity_, 0)), texels_(std::exchange(o.texels_, 0)) {}
   Buffer& operator=(Buffer&& o) noexcept {
     if (this != &o) {
       reset();
       label_ = std::move(o.label_);
       id_ = std::exchange(o.id_, 0);
       capacity_ = std::exchange(o.capacity_, 0);
+      texels_ = std::exchange(o.texels_, 0);
     }
     return *this;
   }
@@ -34,6 +35,9 @@ class Buffer {
   /// At least `bytes` of storage, content undefined.
   void reserve(std::size_t bytes);
   void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_); }
+  void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_); }
+  /// As a buffer texture of that format (always the same one for a buffer).
+  void bindTexels(GLuint unit, GLenum format) const;
   GLuint id() const { return id_; }
   std::size_t capacity() const { return capacity_; }
 
@@ -42,6 +46,7 @@ class Buffer {
   std::string label_;
   GLuint id_ = 0;
   std::size_t capacity_ = 0;
+  mutable GLuint texels_ = 0;  ///< made when first bound
 };
 
 }  // namespace pileus::gl

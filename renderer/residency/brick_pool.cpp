@@ -14,6 +14,12 @@ using volume::kConstantBrick;
 using volume::kStoredSize;
 using volume::kStoredVoxels;
 
+/// Slot coordinates, 10 bits each.
+std::uint32_t packed(std::uint32_t slot, ivec3 slots) {
+  const auto x = std::uint32_t(slots.x), y = std::uint32_t(slots.y);
+  return slot % x | (slot / x % y) << 10 | slot / (x * y) << 20;
+}
+
 /// Payload bricks of levels finest.. of a grid.
 std::size_t payloads(const volume::BrickGrid& grid, int finest) {
   std::size_t n = 0;
@@ -34,6 +40,7 @@ BrickPool::BrickPool(const gl::DeviceInfo& device, std::size_t budgetBytes) : de
   slots_ = ivec3(edge, edge, 0);
   maxSlots_ = std::min(maxSlots_, std::size_t(edge) * std::size_t(edge) * std::size_t(along));
   reserveSlots(1);
+  rebuildTables();
 }
 
 bool BrickPool::reserveSlots(std::size_t count) {
@@ -155,7 +162,7 @@ void BrickPool::rebuildTables() {
         const bool stored = b.payload != kConstantBrick && e.slotOfPayload[b.payload] != kConstantBrick;
         // A brick that is not resident shows its mean value: only seen below `finest`, where sampling never looks.
         const float offset = b.payload == kConstantBrick || stored ? b.offset : 0.5f * (b.minimum + b.maximum);
-        pages.push_back(uvec4(stored ? e.slotOfPayload[b.payload] : PAGE_CONSTANT, std::bit_cast<std::uint32_t>(offset),
+        pages.push_back(uvec4(stored ? packed(e.slotOfPayload[b.payload], slots_) : PAGE_CONSTANT, std::bit_cast<std::uint32_t>(offset),
                               std::bit_cast<std::uint32_t>(b.scale), std::bit_cast<std::uint32_t>(b.maximum)));
       }
     }
@@ -171,8 +178,8 @@ const ResidentGrid* BrickPool::find(const volume::BrickGrid& grid) const {
 
 void BrickPool::bind() const {
   glBindTextureUnit(UNIT_ATLAS, atlas_.id());
-  pages_.bindStorage(BIND_PAGES);
-  levels_.bindStorage(BIND_LEVELS);
+  pages_.bindTexels(UNIT_PAGES, GL_RGBA32UI);
+  levels_.bindTexels(UNIT_LEVELS, GL_RGBA32I);
 }
 
 }  // namespace pileus::residency

@@ -26,8 +26,8 @@ void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds) {
 }
 
 void TileLists::bind(gl::Program& program) const {
-  offsets_.bindStorage(BIND_TILE_OFFSETS);
-  items_.bindStorage(BIND_TILE_ITEMS);
+  offsets_.bindTexels(UNIT_TILE_OFFSETS, GL_R32I);
+  items_.bindTexels(UNIT_TILE_ITEMS, GL_R32I);
   program.set("tileGrid", grid_);
 }
 

@@ -8,6 +8,8 @@
 namespace pileus::residency {
 namespace {
 
+static_assert(sizeof(gpu::VolumeRecord) == VOLUME_ROWS * sizeof(vec4));
+
 gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
   gpu::VolumeRecord r{};
   dmat4 worldFromLocal = i.worldFromLocal;
@@ -68,9 +70,9 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
 }
 
 void VolumeSet::bind(const BrickPool& pool, gl::Program& program) const {
-  records_.bindStorage(BIND_VOLUMES);
+  records_.bindTexels(UNIT_VOLUMES, GL_RGBA32F);
   pool.bind();
-  program.set("atlasSlots", ivec4(pool.slots(), 0));
+  program.set("atlasTexel", 1.0f / vec3(pool.slots() * volume::kStoredSize));
 }
 
 }  // namespace pileus::residency

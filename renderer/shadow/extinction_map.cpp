@@ -29,8 +29,9 @@ Result<double> ExtinctionPass::step(const Gpu& gpu, double ms) {
     ready_ = true;
   }
   const gpu::LightRecord record = makeRecord(light_, map_.get());
+  record_.reserve(MAX_LIGHTS * sizeof record);
   record_.assign(&record, sizeof record);
-  record_.bindStorage(BIND_LIGHTS);
+  record_.bindUniform(BIND_LIGHTS);
   do {
     PILEUS_CHECK(dispatch(gpu));
     ++cursor_.next;

@@ -48,8 +48,9 @@ Result<double> PseudometricPass::step(const Gpu& gpu, double ms) {
   asMap.metric = map_;
   asMap.frustum = map_->frustum;
   const gpu::LightRecord record = makeRecord(map_->light, &asMap);
+  record_.reserve(MAX_LIGHTS * sizeof record);
   record_.assign(&record, sizeof record);
-  record_.bindStorage(BIND_LIGHTS);
+  record_.bindUniform(BIND_LIGHTS);
   if (o.metric != Metric::Interval) {
     PILEUS_CHECK(drawFaces(gpu));
     return 1.0;

@@ -71,6 +71,7 @@ void VolumeRenderPass::start(const shadow::Gpu& gpu) {
 
 Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
+  if (lights_.size() > MAX_LIGHTS) return fail(Code::Input, "lights: {} are linked, at most {} can be rendered together", lights_.size(), MAX_LIGHTS);
   PILEUS_TRY(residency_, set_.prepare(gpu.bricks, all_, ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
   if (!picture_) start(gpu);
@@ -81,6 +82,7 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
     records.back().items.z = marched_[i].y;
   }
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
+  records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
   records_.assign(std::span<const gpu::LightRecord>(records));
   do {
     PILEUS_CHECK(dispatch(gpu));
@@ -95,15 +97,16 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
 
 Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   constexpr int kInRegisters = 4;
+  constexpr std::size_t kUnrolledLights = 3;
   gl::Defines defines = shadow::lookupDefines(lights_);
-  defines.insert(defines.end(), {{"SHAPES", set_.shapes()}, {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)}, {"OVERFLOW", tiles_.longest() > kInRegisters}});
+  defines.insert(defines.end(), {{"SHAPES", set_.shapes()}, {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)}, {"OVERFLOW", tiles_.longest() > kInRegisters}, {"LIGHTS", lights_.size() <= kUnrolledLights ? std::max(int(lights_.size()), 1) : 0}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);
   gpu.store.bind();
-  records_.bindStorage(BIND_LIGHTS);
-  items_.bindStorage(BIND_SHADOW_ITEMS);
+  records_.bindUniform(BIND_LIGHTS);
+  items_.bindTexels(UNIT_SHADOW_ITEMS, GL_R32I);
   const scene::Camera& camera = options_.camera;
   const glm::dmat3 axes = scene::basis(camera);
   const double th = std::tan(glm::radians(camera.fov) / 2);

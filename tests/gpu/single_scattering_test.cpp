@@ -7,7 +7,7 @@ namespace pileus {
 namespace {
 
 constexpr double kSigma = 0.8, kDepth = 2.0, kWidth = 40.0;
-const float kAlbedo = 0.7f;
+constexpr double kAlbedo = 0.7;
 constexpr double kIsotropic = 1 / (4 * kPi);
 
 struct Lit {
@@ -19,7 +19,7 @@ struct Lit {
 Lit slab() {
   Lit lit;
   lit.volumes = {test::box({0, 0, 0}, {kWidth, kDepth, kWidth}, kSigma)};
-  lit.volumes[0].medium.albedo = vec3(kAlbedo);
+  lit.volumes[0].medium.albedo = vec3(float(kAlbedo));
   lit.light = test::sunFrom({0, 1, 0});
   lit.byMap = {{lit.light, test::buildMap(lit.volumes, lit.light, {shadow::Metric::Interval, 4, 4, 128}, {shadow::Basis::Cosine, 8, 128})}};
   auto march = std::make_shared<shadow::ShadowMap>();
@@ -40,7 +40,7 @@ image::Image look(const Lit& lit, const std::vector<shadow::ShadowedLight>& ligh
   return test::render(o, lit.volumes, lights);
 }
 
-float centre(const image::Image& image, std::size_t channel) { return image.layers[0].pixels[(16 * 33 + 16) * 4 + channel]; }
+double centre(const image::Image& image, std::size_t channel) { return double(image.layers[0].pixels[(16 * 33 + 16) * 4 + channel]); }
 
 TEST(SingleScattering, SlabFromTheLitSide) {
   const Lit lit = slab();

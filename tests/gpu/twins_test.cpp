@@ -94,7 +94,7 @@ TEST(Shaders, EveryEntryCompiles) {
   test::renderer();
   gl::ShaderLibrary library;
   const gl::Defines defines = {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"STORES", 7}, {"LIGHT_KINDS", 7}, {"STORE", 1}, {"INTERVALS", 4}, {"BRICKS", 1},
-                               {"TERMS", 4}, {"METRIC", METRIC_COSINE}, {"METRIC_COUNT", 4}, {"BASIS", BASIS_COSINE}, {"ACTIVE", 4}, {"OVERFLOW", 1}, {"SHAPES", 3}};
+                               {"TERMS", 4}, {"METRIC", METRIC_COSINE}, {"METRIC_COUNT", 4}, {"BASIS", BASIS_COSINE}, {"ACTIVE", 4}, {"OVERFLOW", 1}, {"LIGHTS", 0}, {"SHAPES", 3}};
   for (const std::string& entry : gl::ShaderLibrary::entries()) {
     std::vector<std::string> stages{entry};
     if (entry.find(".vert.") != entry.npos) continue;  // compiled with their fragment shader

@@ -72,12 +72,13 @@ std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& l
   std::vector<vec4> padded;
   for (const vec3& p : positions) padded.push_back(vec4(p, 0));
   gl::Buffer lightBuffer, in, out;
+  lightBuffer.reserve(MAX_LIGHTS * sizeof record);
   lightBuffer.assign(&record, sizeof record);
   in.assign(std::span<const vec4>(padded));
   out.reserve(padded.size() * sizeof(float));
   program->use();
   gpu.store.bind();
-  lightBuffer.bindStorage(BIND_LIGHTS);
+  lightBuffer.bindUniform(BIND_LIGHTS);
   in.bindStorage(BIND_TEST_IN);
   out.bindStorage(BIND_TEST_OUT);
   program->set("count", int(padded.size()));

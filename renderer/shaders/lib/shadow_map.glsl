@@ -6,7 +6,7 @@
 #include "shared/records.h"
 #include "lib/metric.glsl"
 
-layout(std430, binding = BIND_LIGHTS) readonly buffer LightBuffer { LightRecord lights[]; };
+layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MAX_LIGHTS]; };
 layout(binding = UNIT_SHADOW_FLOAT) uniform sampler2DArray shadowFloat;
 layout(binding = UNIT_SHADOW_HALF) uniform sampler2DArray shadowHalf;
 layout(binding = UNIT_SHADOW_UNORM) uniform sampler2DArray shadowUnorm;

@@ -10,12 +10,21 @@
 #define SHAPES 3
 #endif
 
-layout(std430, binding = BIND_VOLUMES) readonly buffer VolumeBuffer { VolumeRecord volumes[]; };
-layout(std430, binding = BIND_LEVELS) readonly buffer LevelBuffer { LevelRecord levels[]; };
-layout(std430, binding = BIND_PAGES) readonly buffer PageBuffer { uvec4 pages[]; };
+layout(binding = UNIT_VOLUMES) uniform samplerBuffer volumeTexels;  // VolumeRecord v at texel v * VOLUME_ROWS
+layout(binding = UNIT_LEVELS) uniform isamplerBuffer levelTexels;    // LevelRecord
+layout(binding = UNIT_PAGES) uniform usamplerBuffer pageTexels;
 layout(binding = UNIT_ATLAS) uniform sampler3D brickAtlas;
-uniform ivec4 atlasSlots;  // xyz: slots along each axis
+uniform vec3 atlasTexel;  // 1 / size of the atlas
 const float kBrick = 16.0, kStored = 18.0;
+
+vec4 volumeRow(int v, int row) { return texelFetch(volumeTexels, v * VOLUME_ROWS + row); }
+mat4 localFromWorld(int v) { return mat4(volumeRow(v, 0), volumeRow(v, 1), volumeRow(v, 2), volumeRow(v, 3)); }
+mat4 worldFromLocal(int v) { return mat4(volumeRow(v, 4), volumeRow(v, 5), volumeRow(v, 6), volumeRow(v, 7)); }
+vec4 boundsMin(int v) { return volumeRow(v, 8); }
+vec4 boundsMax(int v) { return volumeRow(v, 9); }
+vec4 albedoOf(int v) { return volumeRow(v, 10); }
+float detailOf(int v) { return volumeRow(v, 11).x; }
+ivec4 shapeOf(int v) { return floatBitsToInt(volumeRow(v, 12)); }
 
 // A line o + t d through one mip level of a volume, everything a sample needs in registers.
 struct VolumeRay {
@@ -28,38 +37,35 @@ struct VolumeRay {
 
 // The mip whose voxels match a footprint [m].
 int levelFor(int v, float footprint) {
-  if (volumes[v].shape.x != SHAPE_GRID) return 0;
-  return clamp(int(floor(log2(max(footprint / volumes[v].detail.x, 1.0)))) + volumes[v].shape.w, volumes[v].shape.w, volumes[v].shape.z - 1);
+  ivec4 shape = shapeOf(v);
+  int level = clamp(int(floor(log2(max(footprint / detailOf(v), 1.0)))) + shape.w, shape.w, shape.z - 1);
+  return shape.x == SHAPE_GRID ? level : 0;
 }
 
 // March step [m] that resolves volume v at a footprint [m].
-float stepFor(int v, float footprint) { return max(volumes[v].detail.x, volumes[v].shape.x == SHAPE_GRID ? footprint : 0.0); }
+float stepFor(int v, float footprint) { return max(detailOf(v), shapeOf(v).x == SHAPE_GRID ? footprint : 0.0); }
 
 // The part (t0, t1) of the line inside volume v, and the line ready for sampling at a mip level.
 vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
-  mat4 m = volumes[v].localFromWorld;
+  mat4 m = localFromWorld(v);
   vec3 lo = (m * vec4(o, 1.0)).xyz, ld = (m * vec4(d, 0.0)).xyz;
-  int shape = volumes[v].shape.x;
-  r.analytic = shape != SHAPE_GRID;
-  r.extinction = volumes[v].boundsMin.w * (r.analytic ? volumes[v].boundsMax.w : 1.0);
+  vec4 boxMin = boundsMin(v), boxMax = boundsMax(v);
+  ivec4 shape = shapeOf(v);
+  r.analytic = shape.x != SHAPE_GRID;
+  r.extinction = boxMin.w * (r.analytic ? boxMax.w : 1.0);
   r.o = lo, r.d = ld;
   r.bricks = ivec3(1);
   r.pages = 0;
-  vec2 hit = intersectBox(lo, ld, volumes[v].boundsMin.xyz, volumes[v].boundsMax.xyz);
+  vec2 hit = intersectBox(lo, ld, boxMin.xyz, boxMax.xyz);
 #if SHAPES & 2
-  if (shape == SHAPE_BALL) hit = intersectBall(lo, ld);
+  if (shape.x == SHAPE_BALL) hit = intersectBall(lo, ld);
 #endif
 #if SHAPES & 1
-  if (!r.analytic) {
-    level = clamp(level, volumes[v].shape.w, volumes[v].shape.z - 1);
-    LevelRecord record = levels[volumes[v].shape.y + level];
-    r.bricks = record.bricks.xyz;
-    r.pages = record.bricks.w;
-    // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
-    float s = exp2(-float(level));
-    r.o = (lo + 0.5) * s - 0.5;
-    r.d = ld * s;
-  }
+  level = clamp(level, shape.w, max(shape.z - 1, 0));
+  ivec4 record = texelFetch(levelTexels, shape.y + level);
+  // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
+  float s = exp2(-float(level));
+  if (!r.analytic) r = VolumeRay((lo + 0.5) * s - 0.5, ld * s, record.xyz, record.w, r.extinction, false);
 #endif
   return hit;
 }
@@ -75,25 +81,25 @@ ivec3 brickAt(vec3 q) { return ivec3(floor(mix(q, max(q, vec3(0.0)), greaterThan
 
 uvec4 pageOf(VolumeRay r, ivec3 b) {
   bool inside = all(greaterThanEqual(b, ivec3(0))) && all(lessThan(b, r.bricks)) && !r.analytic;
-  uvec4 page = pages[inside ? r.pages + (b.z * r.bricks.y + b.y) * r.bricks.x + b.x : 0];
+  uvec4 page = texelFetch(pageTexels, inside ? r.pages + (b.z * r.bricks.y + b.y) * r.bricks.x + b.x : 0);
   return inside ? page : uvec4(PAGE_CONSTANT, 0u, 0u, 0u);
 }
 
 // Density at level position q in brick b: constant bricks have scale 0 and any slot.
 float sampleBrick(uvec4 page, vec3 q, ivec3 b) {
   bool constant = page.x == PAGE_CONSTANT;
-  int s = constant ? 0 : int(page.x);
-  ivec3 slot = ivec3(s % atlasSlots.x, (s / atlasSlots.x) % atlasSlots.y, s / (atlasSlots.x * atlasSlots.y));
+  uvec3 slot = (uvec3(page.x) >> uvec3(0u, 10u, 20u)) & 1023u;
   vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;  // apron of one, texel centres at one half
-  float value = textureLod(brickAtlas, texel / (vec3(atlasSlots.xyz) * kStored), 0.0).r;
+  float value = textureLod(brickAtlas, texel * atlasTexel, 0.0).r;
   return uintBitsToFloat(page.y) + (constant ? 0.0 : uintBitsToFloat(page.z) * value);
 }
 
 // Density of a grid at level-0 position p, for those who sample points.
 float sampleGrid(int v, vec3 p, int level) {
-  level = clamp(level, volumes[v].shape.w, volumes[v].shape.z - 1);
-  LevelRecord record = levels[volumes[v].shape.y + level];
-  VolumeRay r = VolumeRay((p + 0.5) * exp2(-float(level)) - 0.5, vec3(0.0), record.bricks.xyz, record.bricks.w, 1.0, false);
+  ivec4 shape = shapeOf(v);
+  level = clamp(level, shape.w, shape.z - 1);
+  ivec4 record = texelFetch(levelTexels, shape.y + level);
+  VolumeRay r = VolumeRay((p + 0.5) * exp2(-float(level)) - 0.5, vec3(0.0), record.xyz, record.w, 1.0, false);
   ivec3 b = brickAt(r.o);
   return sampleBrick(pageOf(r, b), r.o, b);
 }
@@ -140,7 +146,7 @@ float opticalDepth(int v, vec3 p, vec3 d, float scale) {
   vec2 hit = enterVolume(v, p, d, 0, r);
   float t0 = max(hit.x, 0.0), t1 = max(hit.y, t0);
   if (r.analytic) return r.extinction * (t1 - t0);
-  int n = int(clamp(ceil((t1 - t0) / (volumes[v].detail.x * scale)), 1.0, 16384.0));
+  int n = int(clamp(ceil((t1 - t0) / (detailOf(v) * scale)), 1.0, 16384.0));
   float ds = (t1 - t0) / float(n), sum = 0.0;
   if (ds <= 0.0) return 0.0;
   int i = 0;

@@ -42,7 +42,7 @@ void main() {
 
   ivec2 range = tileRange(texel);
   for (int item = range.x; item < range.y; ++item) {
-    int v = tileItems[item];
+    int v = tileItem(item);
     VolumeRay r;
     vec2 hit = enterVolume(v, o, d, levelFor(v, footprint), r);
     float t0 = max(hit.x, 0.0), t1 = min(hit.y, rayLength);

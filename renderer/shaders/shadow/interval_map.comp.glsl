@@ -6,7 +6,7 @@
 #include "shared/records.h"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(std430, binding = BIND_LIGHTS) readonly buffer LightBuffer { LightRecord lights[]; };
+layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MAX_LIGHTS]; };
 #if STORE == STORE_FLOAT
 layout(rgba32f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
 #else
@@ -25,7 +25,7 @@ vec2 coverageFrom(int v, float x) {
   hit = clamp(hit / rayLength, 0.0, 1.0);
   float lo = max(hit.x, x), hi = hit.y;
 #if BRICKS
-  float t = lo * rayLength, end = hi * rayLength, begin = t, nudge = 1e-3 * volumes[v].detail.x;
+  float t = lo * rayLength, end = hi * rayLength, begin = t, nudge = 1e-3 * detailOf(v);
   bool found = r.analytic, open = !r.analytic && t < end;
   int guard = 0;
   while (open && guard < 8192) {
@@ -63,7 +63,7 @@ void main() {
   for (int guard = 0; guard < 4096; ++guard) {
     float lo = 2.0;
     for (int i = range.x; i < range.y; ++i) {
-      vec2 e = coverageFrom(tileItems[i], behind);
+      vec2 e = coverageFrom(tileItem(i), behind);
       lo = min(lo, e.x);
     }
     if (lo >= 1.0) break;
@@ -71,7 +71,7 @@ void main() {
     for (bool grown = true; grown;) {
       grown = false;
       for (int i = range.x; i < range.y; ++i) {
-        vec2 e = coverageFrom(tileItems[i], hi);
+        vec2 e = coverageFrom(tileItem(i), hi);
         if (e.x <= hi + 1e-6 && e.y > hi) {
           hi = e.y;
           grown = true;

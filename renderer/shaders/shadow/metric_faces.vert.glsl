@@ -1,6 +1,6 @@
 // The twelve triangles of one volume's local box, seen from the light (Gautron et al. 2011: bounding boxes rasterised additively).
 #include "lib/volume.glsl"
-layout(std430, binding = BIND_LIGHTS) readonly buffer LightBuffer { LightRecord lights[]; };
+layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MAX_LIGHTS]; };
 flat out float side;  // -1 where the light ray enters, +1 where it leaves
 out float depth;      // x along the light ray; linear in the face for a parallel light
 
@@ -12,10 +12,10 @@ void main() {
   c[axis] = float(positive);
   c[(axis + 1) % 3] = float(quad[corner].x);
   c[(axis + 2) % 3] = float(quad[corner].y);
-  vec3 local = mix(volumes[v].boundsMin.xyz, volumes[v].boundsMax.xyz, c);
-  vec3 q = (lights[0].lightFromWorld * (volumes[v].worldFromLocal * vec4(local, 1.0))).xyz;
+  vec3 local = mix(boundsMin(v).xyz, boundsMax(v).xyz, c);
+  vec3 q = (lights[0].lightFromWorld * (worldFromLocal(v) * vec4(local, 1.0))).xyz;
   // The outward normal against the ray, both in local space: true for mirrored placements too.
-  vec3 along = (volumes[v].localFromWorld * vec4(-lights[0].towards.xyz, 0.0)).xyz;
+  vec3 along = (localFromWorld(v) * vec4(-lights[0].towards.xyz, 0.0)).xyz;
   side = (positive == 1 ? along[axis] : -along[axis]) < 0.0 ? -1.0 : 1.0;
   depth = q.z;
   gl_Position = vec4(2.0 * q - 1.0, 1.0);

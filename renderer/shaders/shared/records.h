@@ -1,4 +1,4 @@
-// Structures in shader storage, read by C++ (glm types) and GLSL. std430: everything is a multiple of 16 bytes.
+// Structures in buffers, read by C++ (glm types) and GLSL. Everything is a multiple of 16 bytes: the same in std140, std430 and as texels.
 #ifdef __cplusplus
 #pragma once
 #include "renderer/base/math.h"
@@ -9,7 +9,8 @@ namespace pileus::gpu {
 #define SHAPE_BOX 1
 #define SHAPE_BALL 2
 
-// One placed volume. Local space is index coordinates relative to the lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
+// One placed volume, VOLUME_ROWS texels of a buffer texture. Local space is index coordinates relative to the lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
+#define VOLUME_ROWS 13
 struct VolumeRecord {
   mat4 localFromWorld;
   mat4 worldFromLocal;
@@ -25,7 +26,8 @@ struct LevelRecord {
   ivec4 bricks;    // xyz: lattice size in bricks, w: index of its first page
 };
 
-// A page is a uvec4: x slot in the atlas or PAGE_CONSTANT, y bits of offset, z bits of scale, w bits of the brick's maximum.
+// A page is a uvec4: x slot in the atlas (10 bits per axis: integer division costs 100 cycles a lane on a CPU) or PAGE_CONSTANT, y bits
+// of offset, z bits of scale, w bits of the brick's maximum.
 #define PAGE_CONSTANT 0xFFFFFFFFu
 
 #define SHADOW_NONE 0
@@ -51,6 +53,7 @@ struct BlockRecord {
   ivec4 kind;      // x: STORE_*, y: layers
 };
 
+#define MAX_LIGHTS 48  // of one dispatch: fits the 16 KiB a uniform block is guaranteed
 struct LightRecord {
   mat4 lightFromWorld;  // world -> (u, v, x) in [0,1]^3, x from the near to the far plane
   mat4 worldFromLight;

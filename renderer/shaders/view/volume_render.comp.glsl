@@ -10,7 +10,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2D target;
-layout(std430, binding = BIND_SHADOW_ITEMS) readonly buffer ShadowItems { int shadowItems[]; };
+layout(binding = UNIT_SHADOW_ITEMS) uniform isamplerBuffer shadowItems;
 uniform ivec2 regionOrigin, regionEnd, size;
 uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
 uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
@@ -24,7 +24,7 @@ float lightTau(int i, vec3 p) {
 #endif
 #if LIGHT_KINDS & 4
   int count = lights[i].shadow.x == SHADOW_RAY_MARCH ? lights[i].items.z : 0;
-  for (int k = 0; k < count && tau < 30.0; ++k) tau += opticalDepth(shadowItems[lights[i].items.y + k], p, lights[i].towards.xyz, lights[i].extent.y);
+  for (int k = 0; k < count && tau < 30.0; ++k) tau += opticalDepth(texelFetch(shadowItems, lights[i].items.y + k).x, p, lights[i].towards.xyz, lights[i].extent.y);
 #endif
   return tau;
 }
@@ -52,7 +52,7 @@ void main() {
     int count = 0, rest = range.y;
     float ds = 1e30;
     for (int item = range.x; item < range.y; ++item) {
-      int v = tileItems[item];
+      int v = tileItem(item);
       float footprint = pixelAngle * t;
       VolumeRay ray;
       vec2 hit = enterVolume(v, eye, d, levelFor(v, footprint), ray);
@@ -62,7 +62,7 @@ void main() {
       for (int k = 0; k < ACTIVE; ++k) {
         if (inside && count == k) {
           rays[k] = ray;
-          albedo[k] = volumes[v].albedo;
+          albedo[k] = albedoOf(v);
         }
       }
       rest = inside && count == ACTIVE ? min(rest, item) : rest;
@@ -93,7 +93,7 @@ void main() {
 #if OVERFLOW
           for (int item = rest; item < range.y; ++item) {
             VolumeRay ray;
-            vec2 hit = enterVolume(tileItems[item], eye, d, levelFor(tileItems[item], pixelAngle * t), ray);
+            vec2 hit = enterVolume(tileItem(item), eye, d, levelFor(tileItem(item), pixelAngle * t), ray);
             if (hit.x <= t && hit.y > t) sigma += sigmaAt(ray, at);
           }
 #endif
@@ -101,8 +101,12 @@ void main() {
         } while (sigma <= 0.0 && i < n);
 
         vec3 p = eye + at * d, source = vec3(0.0);
+#if LIGHTS
+        for (int l = 0; l < LIGHTS; ++l) {  // unrolled: constant offsets into the uniform block are loaded once for all lanes
+#else
         int l = 0;
         do {
+#endif
           // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
           float cosine = dot(lights[l].towards.xyz, d);
           vec3 factor = vec3(0.0);
@@ -110,13 +114,17 @@ void main() {
 #if OVERFLOW
           for (int item = rest; item < range.y; ++item) {
             VolumeRay ray;
-            vec2 hit = enterVolume(tileItems[item], eye, d, levelFor(tileItems[item], pixelAngle * t), ray);
-            if (hit.x <= t && hit.y > t) factor += scattering(volumes[tileItems[item]].albedo, sigmaAt(ray, at), cosine);
+            vec2 hit = enterVolume(tileItem(item), eye, d, levelFor(tileItem(item), pixelAngle * t), ray);
+            if (hit.x <= t && hit.y > t) factor += scattering(albedoOf(tileItem(item)), sigmaAt(ray, at), cosine);
           }
 #endif
           source += factor * lights[l].emitted.rgb * exp(-lightTau(l, p));
+#if LIGHTS
+        }
+#else
           ++l;
         } while (l < lightCount);
+#endif
         // Exact over the step for a constant source and extinction.
         float step = exp(-sigma * ds);
         L += T * (sigma * ds < 1e-4 ? ds * (1.0 - 0.5 * sigma * ds) : (1.0 - step) / max(sigma, 1e-30)) * source;

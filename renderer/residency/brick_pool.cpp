@@ -31,14 +31,15 @@ std::size_t payloads(const volume::BrickGrid& grid, int finest) {
 }  // namespace
 
 BrickPool::BrickPool(const gl::DeviceInfo& device, std::size_t budgetBytes) : device_(device), budget_(budgetBytes) {
-  maxSlots_ = std::max<std::size_t>(budgetBytes / kStoredVoxels, 64);
-  const int along = std::max(1, device.max3dTextureSize / kStoredSize);
-  // Narrow layers keep growth steps small; wide ones are needed only for large budgets.
-  int edge = 16;
-  while (edge * 2 <= along && std::size_t(edge) * std::size_t(edge) * std::size_t(along) < maxSlots_) edge *= 2;
-  edge = std::min(edge, along);
-  slots_ = ivec3(edge, edge, 0);
-  maxSlots_ = std::min(maxSlots_, std::size_t(edge) * std::size_t(edge) * std::size_t(along));
+  // Powers of two: texel coordinates then normalise exactly, and a voxel's centre returns the voxel alone. Narrow layers keep growth
+  // steps small; wide ones are needed only for large budgets.
+  const int most = int(std::bit_floor(unsigned(device.max3dTextureSize)));
+  int edge = 256;
+  while (edge * 2 <= most && std::size_t(edge) * std::size_t(edge) * std::size_t(most) < budgetBytes) edge *= 2;
+  slots_ = ivec3(edge / kStoredSize, edge / kStoredSize, 0);
+  const std::size_t depth = std::bit_floor(std::max<std::size_t>(budgetBytes / (std::size_t(edge) * std::size_t(edge)), 32));
+  maxLayers_ = std::min(depth, std::size_t(most)) / kStoredSize;
+  maxSlots_ = std::size_t(slots_.x) * std::size_t(slots_.y) * maxLayers_;
   reserveSlots(1);
   rebuildTables();
 }
@@ -47,10 +48,11 @@ bool BrickPool::reserveSlots(std::size_t count) {
   if (free_.size() >= count) return true;
   const std::size_t layer = std::size_t(slots_.x) * std::size_t(slots_.y);
   const std::size_t have = layer * std::size_t(slots_.z), needed = have + (count - free_.size());
-  const std::size_t maxLayers = std::max<std::size_t>(1, maxSlots_ / layer);
-  std::size_t layers = std::min(std::max((needed + layer - 1) / layer, std::size_t(slots_.z) * 3 / 2), maxLayers);
-  if (layers * layer < needed) return false;
-  gl::Texture grown(GL_TEXTURE_3D, GL_R8, ivec3(slots_.x, slots_.y, int(layers)) * kStoredSize, "brick atlas");
+  if (needed > maxSlots_) return false;
+  const std::size_t depth = std::bit_ceil((needed + layer - 1) / layer * kStoredSize);
+  const int edge = int(std::bit_ceil(unsigned(slots_.x * kStoredSize)));
+  const std::size_t layers = depth / kStoredSize;
+  gl::Texture grown(GL_TEXTURE_3D, GL_R8, ivec3(edge, edge, int(depth)), "brick atlas");
   grown.filter(GL_LINEAR);
   // llvmpipe filters R8 in 8 bits with CLAMP_TO_EDGE; with a border it filters in float.
   grown.wrap(GL_CLAMP_TO_BORDER);

@@ -36,7 +36,7 @@ class BrickPool {
   const ResidentGrid* find(const volume::BrickGrid& grid) const;
   /// Binds atlas, pages and levels to their binding points.
   void bind() const;
-  ivec3 slots() const { return slots_; }
+  ivec3 atlasSize() const { return atlas_.size(); }  ///< texels
   std::size_t bytes() const { return atlas_.bytes(); }
   std::size_t budget() const { return budget_; }
   /// Grows with every upload or eviction; part of what a cached record depends on.
@@ -58,7 +58,7 @@ class BrickPool {
 
   gl::DeviceInfo device_;
   std::size_t budget_;
-  std::size_t maxSlots_ = 0;
+  std::size_t maxSlots_ = 0, maxLayers_ = 0;
   ivec3 slots_{0};
   gl::Texture atlas_;
   std::vector<std::uint32_t> free_;             ///< slots free below the atlas's current size, highest first

@@ -72,7 +72,7 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
 void VolumeSet::bind(const BrickPool& pool, gl::Program& program) const {
   records_.bindTexels(UNIT_VOLUMES, GL_RGBA32F);
   pool.bind();
-  program.set("atlasTexel", 1.0f / vec3(pool.slots() * volume::kStoredSize));
+  program.set("atlasTexel", 1.0f / vec3(pool.atlasSize()));
 }
 
 }  // namespace pileus::residency

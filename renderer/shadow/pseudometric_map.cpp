@@ -89,9 +89,13 @@ Result<void> PseudometricPass::drawFaces(const Gpu& gpu) {
   GLuint framebuffer = 0, vertices = 0;
   glCreateFramebuffers(1, &framebuffer);
   glCreateVertexArrays(1, &vertices);
+  // Half maps are summed in float and rounded once.
+  gl::Texture sum;
+  if (block.texels() != Texels::Float) sum = gl::Texture(GL_TEXTURE_2D_ARRAY, GL_RGBA32F, ivec3(ivec2(record.place.z), block.layers()), "metric sum");
+  const ivec2 origin = sum ? ivec2(0) : ivec2(record.place);
   GLenum buffers[4];
   for (int layer = 0; layer < block.layers(); ++layer) {
-    glNamedFramebufferTextureLayer(framebuffer, GL_COLOR_ATTACHMENT0 + GLenum(layer), block.texture(), 0, record.place.w + layer);
+    glNamedFramebufferTextureLayer(framebuffer, GL_COLOR_ATTACHMENT0 + GLenum(layer), sum ? sum.id() : block.texture(), 0, sum ? layer : record.place.w + layer);
     buffers[layer] = GL_COLOR_ATTACHMENT0 + GLenum(layer);
   }
   glNamedFramebufferDrawBuffers(framebuffer, block.layers(), buffers);
@@ -99,8 +103,8 @@ Result<void> PseudometricPass::drawFaces(const Gpu& gpu) {
   glGetIntegerv(GL_VIEWPORT, before);
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &boundFramebuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glViewport(record.place.x, record.place.y, record.place.z, record.place.z);
-  glScissor(record.place.x, record.place.y, record.place.z, record.place.z);
+  glViewport(origin.x, origin.y, record.place.z, record.place.z);
+  glScissor(origin.x, origin.y, record.place.z, record.place.z);
   glEnable(GL_SCISSOR_TEST);
   const vec4 zero(0);
   for (int layer = 0; layer < block.layers(); ++layer) glClearNamedFramebufferfv(framebuffer, GL_COLOR, layer, &zero.x);
@@ -120,6 +124,17 @@ Result<void> PseudometricPass::drawFaces(const Gpu& gpu) {
   glDisable(GL_DEPTH_CLAMP);
   glDisable(GL_SCISSOR_TEST);
   glBindVertexArray(0);
+  if (sum) {
+    GLuint target = 0;
+    glCreateFramebuffers(1, &target);
+    const int edge = record.place.z, x = record.place.x, y = record.place.y;
+    for (int layer = 0; layer < block.layers(); ++layer) {
+      glNamedFramebufferReadBuffer(framebuffer, GL_COLOR_ATTACHMENT0 + GLenum(layer));
+      glNamedFramebufferTextureLayer(target, GL_COLOR_ATTACHMENT0, block.texture(), 0, record.place.w + layer);
+      glBlitNamedFramebuffer(framebuffer, target, 0, 0, edge, edge, x, y, x + edge, y + edge, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    glDeleteFramebuffers(1, &target);
+  }
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(boundFramebuffer));
   glViewport(before[0], before[1], before[2], before[3]);
   glDeleteFramebuffers(1, &framebuffer);

@@ -100,7 +100,8 @@ TEST(SingleScattering, NothingLinkedIsBlackAndTransparent) {
   view::RenderOptions o;
   o.size = ivec2(20, 10);
   o.samples = 2;
-  for (const float v : test::render(o, {}, {}).layers[0].pixels) ASSERT_EQ(v, 0.0f);
+  const auto nothing = test::render(o, {}, {});
+  for (const float v : nothing.layers[0].pixels) ASSERT_EQ(v, 0.0f);
   const auto unlit = test::render(o, {test::box({0, 0, 0}, {1, 1, 1}, 1)}, {});
   EXPECT_EQ(unlit.layers[0].pixels[(5 * 20 + 10) * 4], 0.0f);
   EXPECT_NEAR(unlit.layers[0].pixels[(5 * 20 + 10) * 4 + 3], 1 - std::exp(-1.0), 2e-2);

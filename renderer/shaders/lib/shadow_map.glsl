@@ -73,7 +73,7 @@ float lookupTau(int light, vec3 world) {
   if (metric == METRIC_INTERVAL && mixedBit(fetchFirstLayer(place, store, ivec2(base)), n, store)) taps = 4;
   float m[METRIC_FLOATS], c[BASIS_FLOATS];
   for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
-  float tau = 0.0, transmittance = 0.0;
+  float tau = 0.0, transmittance = 0.0, weights = 0.0;
   int tap = 0;
   do {
     vec2 o = vec2(float(tap & 1), float(tap >> 1));
@@ -84,9 +84,13 @@ float lookupTau(int light, vec3 world) {
       for (int j = 0; j < 4 && i + j < BASIS_FLOATS; ++j) c[i + j] = v[j];
     }
     tau = basisTau(basis, n, c, metricU(metric, metricCount, m, x));
-    transmittance += mix(1.0 - w.x, w.x, o.x) * mix(1.0 - w.y, w.y, o.y) * exp(-tau);
+    // What is lit here lies in a medium: a texel whose ray meets none says nothing about it.
+    float weight = mix(1.0 - w.x, w.x, o.x) * mix(1.0 - w.y, w.y, o.y) + 1e-6;
+    if (metric == METRIC_INTERVAL && m[1] <= m[0]) weight *= 1e-6;
+    transmittance += weight * exp(-tau);
+    weights += weight;
     ++tap;
   } while (tap < taps);
   bool outside = any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0))) || q.z <= 0.0;
-  return outside ? 0.0 : taps == 1 ? tau : -log(max(transmittance, 1e-30));
+  return outside ? 0.0 : taps == 1 ? tau : -log(max(transmittance / weights, 1e-30));
 }

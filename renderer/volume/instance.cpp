@@ -23,7 +23,7 @@ double detailSize(const Instance& i) {
   double smallest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) smallest = std::min(smallest, glm::length(dvec3(i.worldFromLocal[axis])));
   if (i.shape == Shape::Grid) return smallest;
-  return smallest * (i.shape == Shape::Ball ? 2.0 : 1.0) / 128.0;
+  return smallest * (i.shape == Shape::Ball ? 2.0 : 1.0) / 64.0;
 }
 
 double majorant(const Instance& i) {

@@ -28,7 +28,7 @@ Box3 localBounds(const Instance& instance);
 /// World axis-aligned bounds of one or of all.
 Box3 worldBounds(const Instance& instance);
 Box3 worldBounds(const InstanceList& instances);
-/// Metres: the smallest detail along any axis - a voxel edge, or 1/128 of an analytic shape's smallest extent.
+/// Metres: the smallest detail along any axis - a voxel edge, or 1/64 of an analytic shape's smallest extent.
 double detailSize(const Instance& instance);
 /// Largest sigma_t [1/m] anywhere inside.
 double majorant(const Instance& instance);

@@ -8,10 +8,10 @@ const float kPi = 3.14159265358979;
 #define BASIS_FLOATS 8
 #endif
 
-// sin(x)/x for the half width of a step.
+// sin(x)/x for the half width of a step, which is far below 2.5: to 1e-5 there, without a sine.
 float sinc(float x) {
   float y = x * x;
-  return y < 1.0 ? 1.0 - y * (1.0 / 6.0 - y * (1.0 / 120.0 - y * (1.0 / 5040.0 - y / 362880.0))) : sin(x) / x;
+  return 1.0 - y / 6.0 * (1.0 - y / 20.0 * (1.0 - y / 42.0 * (1.0 - y / 72.0 * (1.0 - y / 110.0))));
 }
 
 // Adds an optical depth m spread evenly over [u0, u1]: c_k += 2 m times the basis function's mean over the step. Exact for constant

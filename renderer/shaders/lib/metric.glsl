@@ -17,10 +17,15 @@ float metricFace(int metric, int i, float t) {
 }
 
 // Intervals (a0, b0, a1, b1, ...), sorted and disjoint; unused ones have a = b = 1.
-int intervalCount(float m[METRIC_FLOATS]) {
-  int count = 0;
-  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) count += m[j + 1] > m[j] ? 1 : 0;
-  return count;
+// May the metrics of neighbouring texels be blended? Not when an interval of one has no counterpart in the other: ends further apart
+// than a tenth of the shorter one (measured: shifts of 6 % blend well).
+bool intervalsMatch(float m[METRIC_FLOATS], float o[METRIC_FLOATS]) {
+  bool match = true;
+  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) {
+    float shorter = min(m[j + 1] - m[j], o[j + 1] - o[j]);
+    match = match && max(abs(m[j] - o[j]), abs(m[j + 1] - o[j + 1])) <= 0.1 * shorter;
+  }
+  return match;
 }
 
 float intervalU(float m[METRIC_FLOATS], float x) {

@@ -43,8 +43,8 @@ void loadMetric(int light, vec2 uv, out float m[METRIC_FLOATS]) {
   }
 }
 
-// A coefficient texel's footprint (itself, right, below, diagonal) is mixed when its metrics differ in interval count: then neither
-// metrics nor coefficients may be blended. The map's builder notes it in the lowest bit of one coefficient of the first layer.
+// A coefficient texel's footprint (itself, right, below, diagonal) is mixed when the intervals of its metrics do not match: then
+// neither metrics nor coefficients may be blended. The map's builder notes it in the lowest bit of one coefficient of the first layer.
 int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
 bool mixedBit(vec4 first, int coefficients, int store) {
   float c = first[mixedChannel(coefficients)];

@@ -26,14 +26,15 @@ void main() {
   float m[METRIC_FLOATS];
   for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
   bool mixed = false;
+  float covered = 0.0;  // end of the last interval
 #if METRIC != METRIC_NONE
   loadMetric(0, uv, m);
 #if METRIC == METRIC_INTERVAL
-  int count = intervalCount(m);
+  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) covered = m[j + 1] > m[j] ? max(covered, m[j + 1]) : covered;
   for (int tap = 1; tap < 4; ++tap) {
     float neighbour[METRIC_FLOATS];
     loadMetric(0, uv + vec2(float(tap & 1), float(tap >> 1)) / edge, neighbour);
-    mixed = mixed || intervalCount(neighbour) != count;
+    mixed = mixed || !intervalsMatch(m, neighbour);
   }
 #endif
 #endif
@@ -46,11 +47,16 @@ void main() {
     VolumeRay r;
     vec2 hit = enterVolume(v, o, d, levelFor(v, footprint), r);
     float t0 = max(hit.x, 0.0), t1 = min(hit.y, rayLength);
+#if METRIC == METRIC_INTERVAL
+    // Nothing lies outside the intervals (those of a half map are widened outwards).
+    t0 = max(t0, m[0] * rayLength);
+    t1 = min(t1, covered * rayLength);
+#endif
     if (t0 >= t1) continue;
     int n = r.analytic ? 64 : int(clamp(ceil((t1 - t0) / stepFor(v, footprint)), 1.0, 8192.0));
     float ds = (t1 - t0) / float(n);
     // Neighbouring steps are projected together while they span little of a basis period.
-    int chunk = clamp(n / (8 * BASIS_FLOATS), 1, 8);
+    int chunk = clamp(n / (4 * BASIS_FLOATS), 1, 8);
     int i = 0;
     do {
       // On to the next step with something in it: llvmpipe would project the empty ones too.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/view/renderer.h"
+
 namespace pileus::nodes {
 
 Result<scene::Light> singleLight(const LightValue& value) {
@@ -14,6 +16,9 @@ Result<view::Renderer*> gpuOf(EvalContext& ctx) {
   return fail(Code::Gpu, "needs a GPU context");
 }
 
-int draftResolution(int resolution, const EvalContext& ctx) { return ctx.quality() == Quality::Draft ? std::min(resolution, 256) : resolution; }
+int draftResolution(int resolution, const EvalContext& ctx) {
+  if (ctx.quality() == Quality::Final) return resolution;
+  return std::min(resolution, ctx.renderer() && ctx.renderer()->device().software ? 128 : 256);
+}
 
 }  // namespace pileus::nodes

@@ -10,7 +10,7 @@ namespace pileus::nodes {
 Result<scene::Light> singleLight(const LightValue& value);
 /// Error (Gpu) in an evaluation without one.
 Result<view::Renderer*> gpuOf(EvalContext& ctx);
-/// Drafts look at most 256 texels closely.
+/// What a draft makes of a map's resolution: at most 256 texels, 128 on a CPU.
 int draftResolution(int resolution, const EvalContext& ctx);
 
 }  // namespace pileus::nodes

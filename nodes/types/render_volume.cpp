@@ -1,4 +1,7 @@
 // render.volume: the picture.
+#include <algorithm>
+#include <cmath>
+
 #include "nodes/describe.h"
 #include "nodes/shadow_common.h"
 #include "renderer/view/renderer.h"
@@ -49,7 +52,12 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
     else options.camera = scene::frameBounds(volume::worldBounds(in.volumes.items), aspect);
     if (ctx.quality() == Quality::Draft) {
       options.samples = 1;
-      if (renderer->device().software) options.size = glm::max(options.size / 4, ivec2(1));
+      // A CPU draws some 25,000 pixels in the time a drag allows; a GPU draws them all.
+      if (renderer->device().software) {
+        const double pixels = double(options.size.x) * options.size.y;
+        options.size = glm::max(options.size / std::max(1, int(std::ceil(std::sqrt(pixels / 25000)))), ivec2(1));
+        options.stepScale *= 1.5;
+      }
     }
     state.pass = std::make_unique<view::VolumeRenderPass>(options, in.volumes.items, in.lights.items);
   }

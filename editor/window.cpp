@@ -57,6 +57,12 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 s
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "pileus");
   auto window = std::unique_ptr<Window>(new Window());
+  // Never larger than the screen: a remembered size may come from another one.
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (width > 0 && height > 0) size = glm::min(size, ivec2(width, height));
+  }
   window->window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!window->window_) {
     const std::string reason = lastError;

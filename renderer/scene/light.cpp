@@ -1,5 +1,9 @@
 #include "renderer/scene/light.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace pileus::scene {
 namespace {
 
@@ -24,6 +28,37 @@ dvec3 acescg(dvec2 xy) {
 }
 
 }  // namespace
+
+Incidence incidence(const Light& light, const dvec3& point) {
+  if (light.kind == LightKind::Sun) return {light.towards, std::numeric_limits<double>::infinity(), 1};
+  const dvec3 to = light.position - point;
+  const double r = glm::length(to);
+  Incidence out{r > 0 ? to / r : light.towards, r, 1 / std::max({r * r, light.radius * light.radius, 1e-12})};
+  if (light.kind == LightKind::Spot) {
+    const double outer = glm::radians(light.cone) / 2, inner = outer * (1 - light.softness);
+    const double c = glm::dot(out.towards, light.towards), c0 = std::cos(outer), c1 = std::cos(inner);
+    const double t = glm::clamp((c - c0) / std::max(c1 - c0, 1e-6), 0.0, 1.0);
+    out.falloff *= t * t * (3 - 2 * t);
+  }
+  return out;
+}
+
+std::vector<Light> splitDisc(const Light& sun, int count) {
+  if (sun.kind != LightKind::Sun || sun.angle <= 0 || count <= 1) return {sun};
+  const dvec3 axis = glm::normalize(sun.towards);
+  const dvec3 right = glm::normalize(glm::cross(std::abs(axis.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), axis)), up = glm::cross(axis, right);
+  const double edge = std::sin(glm::radians(sun.angle) / 2), golden = kPi * (3 - std::sqrt(5.0));
+  std::vector<Light> out;
+  for (int i = 0; i < count; ++i) {
+    // Evenly over the disc as seen from below it: equal shares of its area.
+    const double r = edge * std::sqrt((i + 0.5) / count), a = golden * i;
+    Light part = sun;
+    part.towards = glm::normalize(axis * std::sqrt(1 - r * r) + r * (std::cos(a) * right + std::sin(a) * up));
+    part.emitted = sun.emitted / float(count);
+    out.push_back(part);
+  }
+  return out;
+}
 
 dvec3 sunDirection(double azimuth, double elevation) {
   const double a = glm::radians(azimuth), e = glm::radians(elevation);

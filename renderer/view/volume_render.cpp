@@ -8,8 +8,6 @@
 namespace pileus::view {
 namespace {
 
-const scene::Light kNoLight{scene::LightKind::Sun, {0, 1, 0}, vec3(0.0f), 0};
-
 /// Pixels each instance may touch; the whole picture where a corner is beside or behind the eye.
 std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance> instances, const RenderOptions& o) {
   const glm::dmat3 axes = scene::basis(o.camera);
@@ -42,84 +40,68 @@ std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance
 
 }  // namespace
 
-VolumeRenderPass::VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes, std::vector<shadow::ShadowedLight> lights)
-    : options_(options), all_(residency::canonical(volumes)), drawn_(all_.size()), lights_(std::move(lights)) {
-  for (const shadow::ShadowedLight& l : lights_) {
-    const int first = int(shadowItems_.size());
-    if (l.shadow && l.shadow->kind == shadow::ShadowMap::Kind::RayMarch) {
-      for (const volume::Instance& i : residency::canonical(l.shadow->volumes)) {
-        const Key key = volume::contentKey({i});
-        std::size_t at = 0;
-        while (at < all_.size() && volume::contentKey({all_[at]}) != key) ++at;
-        if (at == all_.size()) all_.push_back(i);
-        shadowItems_.push_back(int(at));
-      }
-    }
-    marched_.push_back({first, int(shadowItems_.size()) - first});
-  }
-}
+VolumeRenderPass::VolumeRenderPass(RenderScene scene)
+    : scene_(std::make_shared<const RenderScene>(std::move(scene))), lights_(scene_->lights, scene_->volumes, scene_->solids) {}
 
 void VolumeRenderPass::start(const shadow::Gpu& gpu) {
+  const RenderOptions& o = scene_->options;
   picture_ = std::make_shared<Picture>();
-  picture_->size = options_.size;
-  picture_->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(options_.size, 1), "picture");
+  picture_->size = o.size;
+  picture_->scene = scene_;
+  picture_->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture");
   picture_->color.clear();
-  tiles_.build(options_.size, pixelBounds(std::span(all_).first(drawn_), options_));
-  items_.assign(std::span<const int>(shadowItems_));
-  cursor_ = gl::RegionCursor(options_.size, gpu.device);
+  tiles_.build(o.size, pixelBounds(std::span(lights_.volumes()).first(lights_.drawnVolumes()), o));
+  cursor_ = gl::RegionCursor(o.size, gpu.device);
 }
 
 Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
-  if (lights_.size() > MAX_LIGHTS) return fail(Code::Input, "lights: {} are linked, at most {} can be rendered together", lights_.size(), MAX_LIGHTS);
-  PILEUS_TRY(residency_, set_.prepare(gpu.bricks, all_, ms));
+  const int samples = scene_->options.samples;
+  PILEUS_CHECK(lights_.check());
+  PILEUS_TRY(residency_, set_.prepare(gpu.bricks, lights_.volumes(), ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
   if (!picture_) start(gpu);
-  std::vector<gpu::LightRecord> records;
-  for (std::size_t i = 0; i < lights_.size(); ++i) {
-    records.push_back(shadow::makeRecord(lights_[i].light, lights_[i].shadow.get()));
-    records.back().items.y = marched_[i].x;
-    records.back().items.z = marched_[i].y;
-  }
-  if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
-  records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
-  records_.assign(std::span<const gpu::LightRecord>(records));
+  lights_.bind(gpu.store);
   do {
     PILEUS_CHECK(dispatch(gpu));
     if (++cursor_.next; cursor_.done()) {
       cursor_.next = 0;
       ++picture_->samples;
     }
-  } while (picture_->samples < options_.samples && clock.ms() < ms);
-  picture_->fraction = (picture_->samples + double(cursor_.next) / cursor_.count()) / options_.samples;
-  return picture_->samples >= options_.samples ? 1.0 : std::min(0.1 + 0.9 * picture_->fraction, 0.9999);
+  } while (picture_->samples < samples && clock.ms() < ms);
+  picture_->fraction = (picture_->samples + double(cursor_.next) / cursor_.count()) / samples;
+  return picture_->samples >= samples ? 1.0 : std::min(0.1 + 0.9 * picture_->fraction, 0.9999);
 }
 
 Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   constexpr int kInRegisters = 4;
   constexpr std::size_t kUnrolledLights = 3;
-  gl::Defines defines = shadow::lookupDefines(lights_);
-  defines.insert(defines.end(), {{"SHAPES", set_.shapes()}, {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)}, {"OVERFLOW", tiles_.longest() > kInRegisters}, {"LIGHTS", lights_.size() <= kUnrolledLights ? std::max(int(lights_.size()), 1) : 0}});
+  const RenderOptions& o = scene_->options;
+  const int lights = int(lights_.lights().size()), unrolled = lights_.lights().size() <= kUnrolledLights ? std::max(lights, 1) : 0;
+  gl::Defines defines = lights_.defines();
+  defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
+                                 {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)},
+                                 {"OVERFLOW", tiles_.longest() > kInRegisters},
+                                 {"LIGHTS", unrolled},
+                                 {"SOLIDS", lights_.drawnSolids() > 0}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);
-  gpu.store.bind();
-  records_.bindUniform(BIND_LIGHTS);
-  items_.bindTexels(UNIT_SHADOW_ITEMS, GL_R32I);
-  const scene::Camera& camera = options_.camera;
+  const scene::Camera& camera = o.camera;
   const glm::dmat3 axes = scene::basis(camera);
   const double th = std::tan(glm::radians(camera.fov) / 2);
   program->set("eye", vec3(camera.eye));
-  program->set("right", vec3(axes[0] * th * (double(options_.size.x) / options_.size.y)));
+  program->set("right", vec3(axes[0] * th * (double(o.size.x) / o.size.y)));
   program->set("up", vec3(axes[1] * th));
   program->set("back", vec3(axes[2]));
-  program->set("pixelAngle", float(2 * th / options_.size.y));
-  program->set("stepScale", float(options_.stepScale));
-  program->set("lightCount", std::max(int(lights_.size()), 1));
+  program->set("pixelAngle", float(2 * th / o.size.y));
+  program->set("stepScale", float(o.stepScale));
+  program->set("lightCount", std::max(lights, 1));
+  program->set("solidCount", int(lights_.drawnSolids()));
   program->set("sampleIndex", picture_->samples);
-  program->set("samples", options_.samples);
-  program->set("size", options_.size);
+  program->set("samples", o.samples);
+  program->set("size", o.size);
   program->set("regionOrigin", cursor_.origin());
   program->set("regionEnd", cursor_.end());
   glBindImageTexture(IMAGE_TARGET, picture_->color.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);

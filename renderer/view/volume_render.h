@@ -1,21 +1,22 @@
 #pragma once
-// Single scattering through any number of overlapping volumes under any number of shadowed lights, progressive over regions and samples.
-#include "renderer/scene/camera.h"
-#include "renderer/shadow/shadow_map.h"
+// Single scattering through any number of overlapping volumes, and opaque solids, under any number of shadowed lights; progressive over
+// regions and samples.
+#include "renderer/gl/gpu_timer.h"
+#include "renderer/gl/region_cursor.h"
+#include "renderer/residency/tile_lists.h"
+#include "renderer/residency/volume_set.h"
+#include "renderer/shadow/gpu.h"
+#include "renderer/view/light_set.h"
 #include "renderer/view/picture.h"
+#include "renderer/view/render_scene.h"
 
 namespace pileus::view {
 
-struct RenderOptions {
-  ivec2 size{1280, 720};
-  int samples = 16;
-  double stepScale = 1;   ///< of the finest detail or pixel footprint
-  scene::Camera camera;
-};
-
 class VolumeRenderPass {
  public:
-  VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes, std::vector<shadow::ShadowedLight> lights);
+  explicit VolumeRenderPass(RenderScene scene);
+  VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes, std::vector<shadow::ShadowedLight> lights)
+      : VolumeRenderPass(RenderScene{options, volumes, std::move(lights), {}}) {}
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Null until the first region is drawn; the same object from then on, its texels improving until step() said 1.
@@ -27,17 +28,12 @@ class VolumeRenderPass {
  private:
   void start(const shadow::Gpu& gpu);
   Result<void> dispatch(const shadow::Gpu& gpu);
-  RenderOptions options_;
-  volume::InstanceList all_;                  ///< drawn volumes first, then those only shadows march through
-  std::size_t drawn_ = 0;
-  std::vector<shadow::ShadowedLight> lights_;
-  std::vector<ivec2> marched_;                ///< per light: first and count in shadowItems
-  std::vector<int> shadowItems_;
+  std::shared_ptr<const RenderScene> scene_;
+  LightSet lights_;
   std::shared_ptr<Picture> picture_;
   residency::VolumeSet set_;
   residency::Residency residency_;
   residency::TileLists tiles_;
-  gl::Buffer records_{"light records"}, items_{"shadow items"};
   gl::RegionCursor cursor_;
   gl::GpuTimer timer_;
 };

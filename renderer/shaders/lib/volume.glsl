@@ -140,11 +140,11 @@ float sigmaAt(VolumeRay r, float t) {
 // The first of the steps t0 + (i + offset) ds at or behind t, but not before i.
 int stepAtOrBehind(int i, float t, float t0, float offset, float ds) { return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6))); }
 
-// Optical depth of volume v from p along the unit direction d, midpoint march, steps of `scale` details.
-float opticalDepth(int v, vec3 p, vec3 d, float scale) {
+// Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of `scale` details.
+float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
   VolumeRay r;
   vec2 hit = enterVolume(v, p, d, 0, r);
-  float t0 = max(hit.x, 0.0), t1 = max(hit.y, t0);
+  float t0 = max(hit.x, 0.0), t1 = max(min(hit.y, tMax), t0);
   if (r.analytic) return r.extinction * (t1 - t0);
   int n = int(clamp(ceil((t1 - t0) / (detailOf(v) * scale)), 1.0, 16384.0));
   float ds = (t1 - t0) / float(n), sum = 0.0;

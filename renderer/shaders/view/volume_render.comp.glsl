@@ -1,36 +1,40 @@
 // Single scattering, front to back: L = integral of T_cam sigma_s p E T_light ds, one sample per pixel and dispatch, averaged into the
-// target. Overlapping volumes are marched together; the step is the smallest of those active.
+// target. Overlapping volumes are marched together; the step is the smallest of those active. The march ends at the nearest solid, which
+// adds T_cam albedo / pi SUM E cos T_light.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one),
-// SHAPES, LIGHT_KINDS (bit 1: extinction maps, bit 2: ray-marched shadows) and those of lib/shadow_map.glsl.
+// LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES and those of lib/light_tau.glsl.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
-#include "lib/shadow_map.glsl"
+#include "lib/light_tau.glsl"
 #include "lib/random.glsl"
 #include "lib/phase.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2D target;
-layout(binding = UNIT_SHADOW_ITEMS) uniform isamplerBuffer shadowItems;
 uniform ivec2 regionOrigin, regionEnd, size;
 uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
 uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
 uniform float stepScale;
 uniform int lightCount, sampleIndex, samples;  // at least one light (a black one, if need be)
-
-float lightTau(int i, vec3 p) {
-  float tau = 0.0;
-#if LIGHT_KINDS & 2
-  if (lights[i].shadow.x == SHADOW_EXTINCTION) tau = lookupTau(i, p);
-#endif
-#if LIGHT_KINDS & 4
-  int count = lights[i].shadow.x == SHADOW_RAY_MARCH ? lights[i].items.z : 0;
-  for (int k = 0; k < count && tau < 30.0; ++k) tau += opticalDepth(texelFetch(shadowItems, lights[i].items.y + k).x, p, lights[i].towards.xyz, lights[i].extent.y);
-#endif
-  return tau;
-}
+uniform int solidCount;                        // drawn: the first ones
 
 // Scattering per unit length and solid angle of volume v: sigma_s p.
 vec3 scattering(vec4 albedo, float sigma, float cosine) { return sigma * albedo.rgb * phaseHg(cosine, albedo.w); }
+
+#if SOLIDS
+// Radiance [W/(m^2 sr)] that solid s sends back from its point p.
+vec3 reflected(int s, vec3 p, vec3 normal, float t) {
+  vec3 off = p + solidClearance(s, p, normal, t) * normal, sum = vec3(0.0);
+  int l = 0;
+  do {
+    vec3 towards;
+    vec3 arriving = lightArriving(l, off, towards);
+    sum += arriving * max(dot(normal, towards), 0.0);
+    ++l;
+  } while (l < lightCount);
+  return sum * solidAlbedo(s) / 3.14159265358979;
+}
+#endif
 
 void main() {
   ivec2 pixel = regionOrigin + ivec2(gl_GlobalInvocationID.xy);
@@ -46,6 +50,13 @@ void main() {
   float T = 1.0, t = 0.0, next = 0.0;
   vec3 L = vec3(0.0);
   bool inMedia = range.x < range.y;
+#if SOLIDS
+  int solid;
+  vec3 normal;
+  float end = nearestSolid(solidCount, eye, d, solid, normal);
+#else
+  const float end = kNoHit;
+#endif
   while (inMedia) {
     // Who is active just after t, and until when does that stay so?
     next = 1e30;
@@ -69,6 +80,9 @@ void main() {
       count += inside ? 1 : 0;
     }
     if (next >= 1e30) break;
+#if SOLIDS
+    next = min(next, end);
+#endif
     if (count > 0) {
       ds *= stepScale;
       int n = int(clamp(ceil((next - t) / ds), 1.0, 8192.0));
@@ -107,8 +121,10 @@ void main() {
         int l = 0;
         do {
 #endif
+          vec3 towards;
+          vec3 arriving = lightArriving(l, p, towards);
           // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
-          float cosine = dot(lights[l].towards.xyz, d);
+          float cosine = dot(towards, d);
           vec3 factor = vec3(0.0);
           for (int k = 0; k < ACTIVE; ++k) factor += k < count ? scattering(albedo[k], sigmas[k], cosine) : vec3(0.0);
 #if OVERFLOW
@@ -118,7 +134,7 @@ void main() {
             if (hit.x <= t && hit.y > t) factor += scattering(albedoOf(tileItem(item)), sigmaAt(ray, at), cosine);
           }
 #endif
-          source += factor * lights[l].emitted.rgb * exp(-lightTau(l, p));
+          source += factor * arriving;
 #if LIGHTS
         }
 #else
@@ -132,9 +148,15 @@ void main() {
       } while (i < n && T >= 1e-4);
     }
     t = next;
-    inMedia = T >= 1e-4;
+    inMedia = T >= 1e-4 && t < end;
   }
   if (T < 1e-4) T = 0.0;
+#if SOLIDS
+  if (end < kNoHit && T > 0.0) {
+    L += T * reflected(solid, eye + end * d, normal, end);
+    T = 0.0;
+  }
+#endif
   vec4 now = vec4(L, 1.0 - T);
   if (any(isnan(now)) || any(isinf(now))) now = vec4(0.0);
   vec4 before = sampleIndex == 0 ? vec4(0.0) : imageLoad(target, pixel);

@@ -1,0 +1,54 @@
+// What arrives of a light at a point: through the media by whatever shadow it has, and past the solids that block it. What is read here
+// is bound by view/light_set.h, volumes by residency/volume_set.h.
+// Variant constants: LIGHT_KINDS (1: lights without shadow, 2: extinction maps, 4: ray marches, 8: transmittance maps, 16: deep maps),
+// LOCAL_LIGHTS (0: suns only), BLOCKERS of lib/solid.glsl and those of lib/shadow_map.glsl.
+#pragma once
+#include "lib/volume.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow_map.glsl"
+#include "lib/solid.glsl"
+
+#ifndef LOCAL_LIGHTS
+#define LOCAL_LIGHTS 1
+#endif
+
+layout(binding = UNIT_SHADOW_ITEMS) uniform isamplerBuffer shadowItems;  // volumes to march through
+
+// Towards the light, and E without shadow.
+Incidence unshadowed(int l, vec3 p) {
+#if LOCAL_LIGHTS
+  return lightAt(l, p);
+#else
+  return Incidence(lights[l].towards.xyz, 1e30, lights[l].emitted.rgb);
+#endif
+}
+
+float lightTauTowards(int l, vec3 p, vec3 towards, float distance) {
+  float tau = 0.0;
+#if LIGHT_KINDS & 26
+#if LIGHT_KINDS & 5
+  int shadow = lights[l].shadow.x;
+  if (shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH)
+#endif
+    tau = lookupTau(l, p);
+#endif
+#if LIGHT_KINDS & 4
+  int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0;
+  for (int k = 0; k < count && tau < 30.0; ++k)
+    tau += opticalDepth(texelFetch(shadowItems, lights[l].items.y + k).x, p, towards, lights[l].extent.y, distance);
+#endif
+  return tau;
+}
+
+// Optical depth between p and light l.
+float lightTau(int l, vec3 p) {
+  Incidence i = unshadowed(l, p);
+  return lightTauTowards(l, p, i.towards, i.distance);
+}
+
+// E(p) [W/m^2] of light l on a surface that faces it, shadows included.
+vec3 lightArriving(int l, vec3 p, out vec3 towards) {
+  Incidence i = unshadowed(l, p);
+  towards = i.towards;
+  return i.irradiance * (exp(-lightTauTowards(l, p, i.towards, i.distance)) * solidVisibility(l, p, i.towards, i.distance));
+}

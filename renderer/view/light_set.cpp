@@ -1,0 +1,83 @@
+#include "renderer/view/light_set.h"
+
+#include <algorithm>
+
+#include "renderer/shaders/shared/bindings.h"
+
+namespace pileus::view {
+namespace {
+
+const scene::Light kNoLight{.towards = {0, 1, 0}, .emitted = vec3(0.0f)};
+
+gpu::SolidRecord makeRecord(const scene::Solid& solid) {
+  const float shape = solid.shape == scene::SolidShape::Plane ? SOLID_PLANE : SOLID_BOX;
+  return {mat4(glm::inverse(solid.worldFromLocal)), mat4(solid.worldFromLocal), vec4(solid.albedo, shape)};
+}
+
+}  // namespace
+
+LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes, const scene::SolidList& solids)
+    : lights_(std::move(lights)), volumes_(residency::canonical(volumes)), drawnVolumes_(volumes_.size()), drawnSolids_(solids.size()) {
+  // Lights mostly share one list of solids, the drawn one: each different list is stored once.
+  std::vector<std::pair<const scene::SolidList*, int>> lists;
+  const auto rangeOf = [&](const scene::SolidList& list) {
+    const auto known = std::find_if(lists.begin(), lists.end(), [&](const auto& l) { return *l.first == list; });
+    if (known != lists.end()) return ivec2(known->second, int(list.size()));
+    const int first = int(solids_.size());
+    lists.push_back({&list, first});
+    for (const scene::Solid& s : list) solids_.push_back(makeRecord(s));
+    return ivec2(first, int(list.size()));
+  };
+  rangeOf(solids);
+  for (const shadow::ShadowedLight& l : lights_) {
+    blockers_.push_back(l.shadow ? rangeOf(l.shadow->solids) : ivec2(0));
+    const int first = int(marchItems_.size());
+    if (l.shadow && l.shadow->kind == shadow::ShadowMap::Kind::RayMarch) {
+      for (const volume::Instance& i : residency::canonical(l.shadow->volumes)) {
+        const Key key = volume::contentKey({i});
+        std::size_t at = 0;
+        while (at < volumes_.size() && volume::contentKey({volumes_[at]}) != key) ++at;
+        if (at == volumes_.size()) volumes_.push_back(i);
+        marchItems_.push_back(int(at));
+      }
+    }
+    marched_.push_back({first, int(marchItems_.size()) - first});
+  }
+}
+
+Result<void> LightSet::check() const {
+  if (lights_.size() <= MAX_LIGHTS) return {};
+  return fail(Code::Input, "lights: {} are linked, at most {} can be rendered together", lights_.size(), MAX_LIGHTS);
+}
+
+gl::Defines LightSet::defines() const {
+  const bool local = std::any_of(lights_.begin(), lights_.end(), [](const auto& l) { return l.light.kind != scene::LightKind::Sun; });
+  const bool blocked = std::any_of(blockers_.begin(), blockers_.end(), [](ivec2 range) { return range.y > 0; });
+  gl::Defines out = shadow::lookupDefines(lights_);
+  out.insert(out.end(), {{"LOCAL_LIGHTS", local}, {"BLOCKERS", blocked}});
+  return out;
+}
+
+void LightSet::bind(const shadow::ShadowStore& store) {
+  std::vector<gpu::LightRecord> records;
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const shadow::ShadowMap* shadow = lights_[i].shadow.get();
+    gpu::LightRecord& r = records.emplace_back(shadow::makeRecord(lights_[i].light, shadow));
+    if (shadow && shadow->kind == shadow::ShadowMap::Kind::RayMarch) r.items.y = marched_[i].x, r.items.z = marched_[i].y;
+    r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y;
+  }
+  if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
+  records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
+  records_.assign(std::span<const gpu::LightRecord>(records));
+  if (!uploaded_) {
+    items_.assign(std::span<const int>(marchItems_));
+    solidRecords_.assign(std::span<const gpu::SolidRecord>(solids_));
+    uploaded_ = true;
+  }
+  store.bind();
+  records_.bindUniform(BIND_LIGHTS);
+  items_.bindTexels(UNIT_SHADOW_ITEMS, GL_R32I);
+  solidRecords_.bindTexels(UNIT_SOLIDS, GL_RGBA32F);
+}
+
+}  // namespace pileus::view

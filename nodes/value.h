@@ -9,6 +9,7 @@
 #include "renderer/base/enum_info.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/light.h"
+#include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
 #include "renderer/volume/instance.h"
 
@@ -59,7 +60,7 @@ struct CameraValue {
   std::shared_ptr<const scene::Camera> camera;  ///< null: not linked
 };
 struct SolidValue {
-  std::vector<int> items;  ///< no solids yet: always empty
+  scene::SolidList items;
 };
 struct ImageValue {
   std::shared_ptr<const view::Picture> picture;  ///< null: nothing linked

@@ -30,7 +30,7 @@ struct Frame {
 Result<Frame> mapped(const shadow::Gpu& gpu, int coefficients, const volume::InstanceList& volumes, const scene::Light& sun, const view::RenderOptions& o) {
   Frame frame;
   const Stopwatch clock;
-  shadow::PseudometricPass metric({shadow::Metric::Interval, 4, 4, 512, shadow::Storage::Float}, sun, volumes, shadow::fitSun(sun, volumes, 512));
+  shadow::PseudometricPass metric({shadow::Metric::Interval, 4, 4, 512, shadow::Storage::Float}, sun, volumes, shadow::fitLight(sun, volumes, 512));
   PILEUS_CHECK(finish(metric, gpu));
   shadow::ExtinctionPass extinction({shadow::Basis::Cosine, coefficients, 512, shadow::Storage::Float}, metric.map());
   PILEUS_CHECK(finish(extinction, gpu));

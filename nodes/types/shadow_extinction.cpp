@@ -57,7 +57,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
       if (in.light.items.empty()) return fail(Code::Input, "light: nothing is linked; link a metric, or a light and volumes");
       PILEUS_TRY(const scene::Light light, singleLight(in.light));
       options.resolution = draftResolution(options.resolution == 0 ? 1024 : options.resolution, ctx);
-      pass = std::make_unique<shadow::ExtinctionPass>(options, light, in.volumes.items, shadow::fitSun(light, in.volumes.items, options.resolution));
+      pass = std::make_unique<shadow::ExtinctionPass>(options, light, in.volumes.items, shadow::fitLight(light, in.volumes.items, options.resolution));
     }
   }
   PILEUS_TRY(const double fraction, pass->step(renderer->gpu(), ctx.msLeft()));

@@ -46,7 +46,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   auto& pass = ctx.state<std::unique_ptr<shadow::PseudometricPass>>();
   if (!pass) {
     shadow::MetricOptions options{in.representation, in.intervals, in.coefficients, draftResolution(in.resolution, ctx), in.storage, in.coverage};
-    pass = std::make_unique<shadow::PseudometricPass>(options, light, in.volumes.items, shadow::fitSun(light, in.volumes.items, options.resolution));
+    pass = std::make_unique<shadow::PseudometricPass>(options, light, in.volumes.items, shadow::fitLight(light, in.volumes.items, options.resolution));
   }
   PILEUS_TRY(const double fraction, pass->step(renderer->gpu(), ctx.msLeft()));
   ctx.reportGpu(pass->takeGpuMs(), pass->map()->block ? pass->map()->block->bytes() : 0);

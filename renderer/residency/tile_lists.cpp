@@ -7,7 +7,7 @@
 
 namespace pileus::residency {
 
-void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds) {
+void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds, int modulo) {
   grid_ = glm::max((size + kTile - 1) / kTile, ivec2(1));
   const auto each = [&](const PixelBounds& b, auto&& visit) {
     const ivec2 lo = glm::max(b.min, ivec2(0)), hi = glm::min(b.max, size);
@@ -20,7 +20,7 @@ void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds) {
   longest_ = *std::max_element(offsets.begin(), offsets.end());
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
   std::vector<int> items(std::size_t(offsets.back())), at(offsets.begin(), offsets.end() - 1);
-  for (std::size_t i = 0; i < bounds.size(); ++i) each(bounds[i], [&](std::size_t tile) { items[std::size_t(at[tile]++)] = int(i); });
+  for (std::size_t i = 0; i < bounds.size(); ++i) each(bounds[i], [&](std::size_t tile) { items[std::size_t(at[tile]++)] = modulo > 0 ? int(i) % modulo : int(i); });
   offsets_.assign(std::span<const int>(offsets));
   items_.assign(std::span<const int>(items));
 }

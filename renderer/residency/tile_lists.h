@@ -15,8 +15,9 @@ struct PixelBounds {
 class TileLists {
  public:
   static constexpr int kTile = 16;
-  /// Item i is bounds[i]; lists keep the order of the items.
-  void build(ivec2 size, std::span<const PixelBounds> bounds);
+  /// bounds[i] belongs to item i, or i modulo `items` where that is given (an item may have several bounds that share no tile); lists
+  /// keep the order of the bounds.
+  void build(ivec2 size, std::span<const PixelBounds> bounds, int items = 0);
   void bind(gl::Program& program) const;
   int longest() const { return longest_; }  ///< items in the fullest tile
 

@@ -46,6 +46,25 @@ double basisTotal(Basis basis, std::span<const double> c) {
   return sum;
 }
 
+double basisValue(Basis basis, std::span<const double> c, double u) {
+  const auto n = c.size();
+  double value = 0;
+  switch (basis) {
+    case Basis::Cosine:
+      for (std::size_t k = 0; k < n; ++k) value += c[k] * std::cos(kPi * double(k) * u);
+      break;
+    case Basis::Fourier:
+      value = 0.5 * c[0];
+      for (std::size_t i = 1; i < n; ++i) {
+        const double w = 2 * kPi * double((i + 1) / 2) * u;
+        value += c[i] * (i % 2 == 1 ? std::cos(w) : std::sin(w));
+      }
+      break;
+    case Basis::Slab: value = c[std::min(std::size_t(std::max(u, 0.0) * double(n)), n - 1)] * double(n); break;
+  }
+  return value;
+}
+
 double basisTau(Basis basis, std::span<const double> c, double u) {
   const auto n = c.size();
   double tau = 0;

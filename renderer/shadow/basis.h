@@ -11,6 +11,8 @@ namespace pileus::shadow {
 void projectStep(Basis basis, std::span<double> c, double m, double u0, double u1);
 /// Optical depth in front of u, clamped to [0, basisTotal].
 double basisTau(Basis basis, std::span<const double> c, double u);
+/// The projected function itself at u, not integrated.
+double basisValue(Basis basis, std::span<const double> c, double u);
 double basisTotal(Basis basis, std::span<const double> c);
 
 }  // namespace pileus::shadow

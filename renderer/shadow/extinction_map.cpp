@@ -2,69 +2,121 @@
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shadow/additive_target.h"
 
 namespace pileus::shadow {
 
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum)
-    : options_(options), map_(std::make_shared<ShadowMap>()), light_(light), volumes_(residency::canonical(volumes)) {
+    : options_(options), map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, options.resolution, 64) {
+  map_->light = light;
+  map_->volumes = pass_.volumes();
   map_->basis = options.basis;
   map_->coefficients = options.coefficients;
   map_->storage = options.storage;
   map_->frustum = frustum;
+  map_->spec.extinction = options;
+  map_->spec.metric.metric = Metric::None;
 }
 
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric)
     : ExtinctionPass(options, metric->light, metric->volumes, metric->frustum) {
+  map_->spec.metric = metric->options;
   map_->metric = std::move(metric);
+}
+
+void ExtinctionPass::remember(const scene::SolidList& solids, const ShadowSpec& spec) {
+  map_->solids = solids;
+  map_->spec = spec;
+}
+
+Result<void> ExtinctionPass::allocate(const Gpu& gpu) {
+  const int faces = map_->frustum.faces();
+  const bool horizon = map_->metric && map_->metric->options.metric == Metric::Interval && map_->metric->options.horizon > 0;
+  if (splats() && horizon) return fail(Code::Input, "accumulation: splatting knows no horizon; gather, or set the metric's horizon to 0");
+  PILEUS_TRY(map_->block, gpu.store.allocate(options_.storage == Storage::Float ? Texels::Float : Texels::Half, options_.resolution, (options_.coefficients + 3) / 4, faces));
+  if (horizon) {
+    PILEUS_TRY(map_->horizon, gpu.store.allocate(Texels::Pair, options_.resolution, 1, faces));
+  }
+  return {};
 }
 
 Result<double> ExtinctionPass::step(const Gpu& gpu, double ms) {
   const Stopwatch clock;
-  PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, volumes_, ms));
-  if (residency.fraction < 1) return 0.3 * residency.fraction;
-  if (!ready_) {
-    PILEUS_TRY(map_->block, gpu.store.allocate(options_.storage == Storage::Float ? Texels::Float : Texels::Half, options_.resolution, (options_.coefficients + 3) / 4));
-    tiles_.build(ivec2(options_.resolution), mapBounds(set_.instances(), map_->frustum, options_.resolution));
-    cursor_ = gl::RegionCursor(ivec2(options_.resolution), gpu.device, 64);
-    ready_ = true;
+  PILEUS_TRY(const double resident, pass_.prepare(gpu, ms));
+  if (resident < 1) return 0.3 * resident;
+  if (!map_->block) PILEUS_CHECK(allocate(gpu));
+  pass_.bindLight(*map_);
+  const int volumes = int(pass_.volumes().size());
+  while (splats() && splatted_ < std::max(volumes, 1)) {
+    PILEUS_CHECK(splat(gpu));
+    if (++splatted_ >= volumes || clock.ms() >= ms) break;
   }
-  const gpu::LightRecord record = makeRecord(light_, map_.get());
-  record_.reserve(MAX_LIGHTS * sizeof record);
-  record_.assign(&record, sizeof record);
-  record_.bindUniform(BIND_LIGHTS);
+  if (splats() && splatted_ < volumes) return 0.3 + 0.6 * splatted_ / volumes;
+  const bool marks = map_->metric && map_->metric->options.metric == Metric::Interval;
   do {
-    PILEUS_CHECK(dispatch(gpu));
-    ++cursor_.next;
-  } while (!cursor_.done() && clock.ms() < ms);
-  return 0.3 + 0.7 * double(cursor_.next) / cursor_.count();
+    if (!splats()) PILEUS_CHECK(gather(gpu));
+    else if (marks) PILEUS_CHECK(mark(gpu));
+    pass_.next();
+  } while (!pass_.done() && clock.ms() < ms);
+  return splats() ? 0.9 + 0.1 * pass_.fraction() : 0.3 + 0.7 * pass_.fraction();
 }
 
-Result<void> ExtinctionPass::dispatch(const Gpu& gpu) {
-  const gpu::LightRecord r = makeRecord(light_, map_.get());
+gl::Defines ExtinctionPass::defines() const {
+  const gpu::LightRecord r = makeRecord(map_->light, map_.get());
   const bool hasMetric = r.shadow.w != METRIC_NONE;
-  const gl::Defines defines = {{"METRIC", r.shadow.w},
-                               {"METRIC_COUNT", r.items.x},
-                               {"METRIC_FLOATS", hasMetric ? metricFloats(map_->metric->options) : 4},
-                               {"BASIS", r.shadow.y},
-                               {"BASIS_FLOATS", options_.coefficients},
-                               {"STORES", hasMetric ? 1 << r.metric.kind.x : 1},
-                               {"STORE", r.coefficients.kind.x},
-                               {"SHAPES", set_.shapes()}};
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_map.comp.glsl"}, defines));
-  program->use();
-  set_.bind(gpu.bricks, *program);
-  tiles_.bind(*program);
-  gpu.store.bind();
-  program->set("regionOrigin", cursor_.origin());
-  program->set("regionEnd", cursor_.end());
-  program->set("footprint", float(map_->frustum.texelSize(options_.resolution)));
+  return {{"METRIC", r.shadow.w},
+          {"METRIC_COUNT", r.items.x},
+          {"METRIC_FLOATS", hasMetric ? metricFloats(map_->metric->options) : 4},
+          {"BASIS", r.shadow.y},
+          {"BASIS_FLOATS", options_.coefficients},
+          {"COEFFICIENTS", options_.coefficients},
+          {"STORES", hasMetric ? 1 << r.metric.kind.x : 1},
+          {"STORE", r.coefficients.kind.x},
+          {"WEIGHTS", r.solids.z & 1},
+          {"HORIZON", (r.solids.z >> 1) & 1},
+          {"DAMPING", options_.damping},
+          {"PERSPECTIVE", map_->frustum.perspective()},
+          {"SHAPES", pass_.shapes()}};
+}
+
+Result<void> ExtinctionPass::gather(const Gpu& gpu) {
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_map.comp.glsl"}, defines()));
   glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->block->format());
-  const ivec2 groups = (cursor_.end() - cursor_.origin() + 7) / 8;
-  timer_.begin();
-  glDispatchCompute(GLuint(groups.x), GLuint(groups.y), 1);
-  timer_.end();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  if (map_->horizon) glBindImageTexture(IMAGE_TARGET + 1, map_->horizon->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->horizon->format());
+  pass_.dispatch(gpu, *program);
+  return {};
+}
+
+Result<void> ExtinctionPass::splat(const Gpu& gpu) {
+  const gpu::BlockRecord block = map_->block->record();
+  const int edge = block.place.z, layers = block.kind.y;
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_splat.vert.glsl", "shadow/extinction_splat.frag.glsl"}, defines()));
+  const auto bounds = mapBounds(pass_.volumes(), map_->frustum, edge, pass_.faceStride());
+  AdditiveTarget target;
+  for (int face = 0; face < block.kind.z; ++face) {
+    target.attach(map_->block->texture(), block.place.w + face * layers, layers, ivec2(block.place), edge, splatted_ == 0);
+    if (pass_.volumes().empty()) continue;
+    const residency::PixelBounds& b = bounds[std::size_t(face) * pass_.volumes().size() + std::size_t(splatted_)];
+    if (b.min.x >= b.max.x || b.min.y >= b.max.y) continue;
+    const ivec2 origin = ivec2(block.place) + b.min - ivec2(0, face * pass_.faceStride());
+    glScissor(origin.x, origin.y, b.max.x - b.min.x, b.max.y - b.min.y);
+    pass_.bind(gpu, *program);
+    program->set("item", splatted_);
+    program->set("face", face);
+    program->set("blockOrigin", ivec2(block.place));
+    pass_.timer().begin();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    pass_.timer().end();
+  }
   glFinish();
+  return {};
+}
+
+Result<void> ExtinctionPass::mark(const Gpu& gpu) {
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_mark.comp.glsl"}, defines()));
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_READ_WRITE, map_->block->format());
+  pass_.dispatch(gpu, *program);
   return {};
 }
 

@@ -1,40 +1,36 @@
 #pragma once
-// The extinction map: optical depth projected on a small basis over the pseudometric (Gautron et al. 2011, pass 2).
+// The extinction map: optical depth projected on a small basis over the pseudometric (Gautron et al. 2011, pass 2). Without a metric it
+// is a Fourier opacity map (Jansen and Bavoil 2010) or its cosine kin.
 #include "renderer/shadow/shadow_map.h"
 
 namespace pileus::shadow {
 
-struct ExtinctionOptions {
-  Basis basis = Basis::Cosine;
-  int coefficients = 8;     ///< 1..32
-  int resolution = 1024;
-  Storage storage = Storage::Float;
-};
-
 class ExtinctionPass {
  public:
-  /// With a metric: its frustum, light and volumes.
+  /// With a metric: its frustum, light and volumes. Error of the first step (Input): splatting with a horizon, which needs a gather.
   ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric);
   /// Euclidean.
   ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum);
-  /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
+  /// Works for about `ms` milliseconds (at least one region or volume); the fraction done, 1 = finished.
   Result<double> step(const Gpu& gpu, double ms);
+  /// Solids and the spec that the map remembers; they change nothing in it.
+  void remember(const scene::SolidList& solids, const ShadowSpec& spec);
   std::shared_ptr<const ShadowMap> map() const { return map_; }
-  const scene::Light& light() const { return light_; }
-  double takeGpuMs() { return timer_.takeMs(); }
+  const scene::Light& light() const { return map_->light; }
+  double takeGpuMs() { return pass_.takeGpuMs(); }
 
  private:
-  Result<void> dispatch(const Gpu& gpu);
+  Result<void> allocate(const Gpu& gpu);
+  gl::Defines defines() const;
+  Result<void> gather(const Gpu& gpu);
+  Result<void> splat(const Gpu& gpu);
+  Result<void> mark(const Gpu& gpu);
+  bool splats() const { return options_.accumulation == Accumulation::Splat; }
+
   ExtinctionOptions options_;
   std::shared_ptr<ShadowMap> map_;
-  scene::Light light_;
-  volume::InstanceList volumes_;
-  residency::VolumeSet set_;
-  residency::TileLists tiles_;
-  gl::Buffer record_{"light record"};
-  gl::RegionCursor cursor_;
-  gl::GpuTimer timer_;
-  bool ready_ = false;
+  MapPass pass_;
+  int splatted_ = 0;  ///< volumes drawn so far
 };
 
 }  // namespace pileus::shadow

@@ -14,14 +14,15 @@ double metricFace(Metric metric, int i, double t) {
   return (i % 2 == 1 ? std::sin(w) : 1 - std::cos(w)) / (kPi * k);
 }
 
-double metricU(Metric metric, std::span<const double> m, double x) {
+double metricU(Metric metric, std::span<const double> m, double x, std::span<const double> weights) {
   double g = 0, whole = 0;
   switch (metric) {
     case Metric::None: return x;
     case Metric::Interval:
       for (std::size_t j = 0; j + 1 < m.size(); j += 2) {
-        g += std::clamp(x - m[j], 0.0, m[j + 1] - m[j]);
-        whole += m[j + 1] - m[j];
+        const double w = weights.empty() ? 1 : weights[j / 2];
+        g += w * std::clamp(x - m[j], 0.0, m[j + 1] - m[j]);
+        whole += w * (m[j + 1] - m[j]);
       }
       break;
     case Metric::Cosine:
@@ -38,7 +39,7 @@ double metricU(Metric metric, std::span<const double> m, double x) {
       }
       break;
   }
-  return whole > 1e-6 ? std::clamp(g / whole, 0.0, 1.0) : 0.0;
+  return whole > (metric == Metric::Interval ? 1e-6 / 255 : 1e-6) ? std::clamp(g / whole, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace pileus::shadow

@@ -1,6 +1,8 @@
 #include "renderer/shadow/shadow_map.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace pileus::shadow {
@@ -18,33 +20,65 @@ int metricCode(Metric m) {
 
 int basisCode(Basis b) { return b == Basis::Cosine ? BASIS_COSINE : b == Basis::Fourier ? BASIS_FOURIER : BASIS_SLAB; }
 
+int kindCode(ShadowMap::Kind k) {
+  switch (k) {
+    case ShadowMap::Kind::Extinction: return SHADOW_EXTINCTION;
+    case ShadowMap::Kind::TransmittanceFunction: return SHADOW_TRANSMITTANCE;
+    case ShadowMap::Kind::Deep: return SHADOW_DEEP;
+    case ShadowMap::Kind::RayMarch: break;
+  }
+  return SHADOW_RAY_MARCH;
+}
+
+void describeLight(const scene::Light& light, gpu::LightRecord& r) {
+  const bool sun = light.kind == scene::LightKind::Sun;
+  const double outer = glm::radians(light.cone) / 2;
+  r.towards = vec4(vec3(glm::normalize(light.towards)), float(std::cos(outer)));
+  r.emitted = vec4(light.emitted, float(light.radius));
+  r.position = vec4(vec3(light.position), float(std::cos(outer * (1 - light.softness))));
+  r.items.w = sun ? LIGHT_SUN : light.kind == scene::LightKind::Point ? LIGHT_POINT : LIGHT_SPOT;
+}
+
 }  // namespace
 
-std::size_t ShadowMap::bytes() const { return (block ? block->bytes() : 0) + (metric && metric->block ? metric->block->bytes() : 0); }
+std::size_t ShadowMap::bytes() const {
+  return (block ? block->bytes() : 0) + (horizon ? horizon->bytes() : 0) + (metric ? metric->bytes() : 0) + (deep ? deep->bytes() : 0);
+}
+
+double ShadowMap::bytesPerTexel() const {
+  const double edge = resolutionOf(spec);
+  return edge > 0 ? double(bytes()) / (edge * edge * frustum.faces()) : 0;
+}
 
 gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) {
   gpu::LightRecord r{};
-  r.towards = vec4(vec3(glm::normalize(light.towards)), 0);
-  r.emitted = vec4(light.emitted, 0);
+  describeLight(light, r);
   if (!shadow) return r;
-  r.extent = vec4(float(shadow->frustum.depth()), float(shadow->stepScale), 0, 0);
-  r.worldFromLight = mat4(shadow->frustum.worldFromLight);
-  r.lightFromWorld = mat4(glm::inverse(shadow->frustum.worldFromLight));
-  const bool map = shadow->kind == ShadowMap::Kind::Extinction;
+  const LightFrustum& f = shadow->frustum;
+  r.extent = vec4(float(f.depth()), float(shadow->stepScale), float(f.perspective() ? f.nearDistance : 0), float(f.tanHalf));
+  r.worldFromLight = mat4(f.worldFromLight);
+  r.lightFromWorld = mat4(glm::inverse(f.worldFromLight));
   const Metric metric = shadow->metric && shadow->metric->block ? shadow->metric->options.metric : Metric::None;
-  r.shadow = ivec4(map ? SHADOW_EXTINCTION : SHADOW_RAY_MARCH, basisCode(shadow->basis), shadow->coefficients, metricCode(metric));
+  r.shadow = ivec4(kindCode(shadow->kind), basisCode(shadow->basis), shadow->coefficients, metricCode(metric));
   if (metric != Metric::None) {
     const MetricOptions& o = shadow->metric->options;
     r.items.x = metric == Metric::Interval ? o.intervals : o.coefficients;
     r.metric = shadow->metric->block->record();
+    if (const auto& weights = shadow->metric->weights) r.weights = weights->record().place, r.solids.z |= 1;
+    if (metric == Metric::Interval && o.horizon > 0) r.solids.z |= 2;
   }
   if (shadow->block) r.coefficients = shadow->block->record();
+  if (shadow->horizon) r.horizon = shadow->horizon->record().place;
+  if (shadow->deep) {
+    r.coefficients.place.z = shadow->spec.resolution;
+    r.items.y = int(shadow->deep->first());
+  }
   return r;
 }
 
 gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
-  int metricFloatsNeeded = 4, basis = 1, stores = 0, kinds = 0;
-  std::optional<ivec4> common;  // metric, its count, basis, coefficients of all mapped lights
+  int metricFloatsNeeded = 4, basis = 1, stores = 0, kinds = 0, weights = 0, horizon = 0;
+  std::optional<std::array<int, 7>> common;  // kind, metric, its count, basis, coefficients, stores of the mapped lights
   bool uniform = true;
   for (const ShadowedLight& l : lights) {
     if (!l.shadow) {
@@ -55,11 +89,14 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       kinds |= 4;
       continue;
     }
-    kinds |= 2;
     const gpu::LightRecord r = makeRecord(l.light, l.shadow.get());
-    const ivec4 choice(r.shadow.w, r.items.x, r.shadow.y, r.shadow.z);
+    kinds |= l.shadow->kind == ShadowMap::Kind::Extinction ? 2 : l.shadow->kind == ShadowMap::Kind::TransmittanceFunction ? 8 : 16;
+    const std::array<int, 7> choice{r.shadow.x, r.shadow.w, r.items.x, r.shadow.y, r.shadow.z, r.metric.kind.x, r.coefficients.kind.x};
     uniform = uniform && (!common || *common == choice);
     common = choice;
+    weights |= r.solids.z & 1;
+    horizon |= (r.solids.z >> 1) & 1;
+    if (l.shadow->kind == ShadowMap::Kind::Deep) continue;
     basis = std::max(basis, l.shadow->coefficients);
     stores |= 1 << r.coefficients.kind.x;
     if (r.shadow.w != METRIC_NONE) {
@@ -67,10 +104,10 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       stores |= 1 << r.metric.kind.x;
     }
   }
-  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}};
+  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}, {"WEIGHTS", weights}, {"HORIZON", horizon}};
   if (uniform && common) {
-    const ivec4 c = *common;
-    defines.insert(defines.end(), {{"UNIFORM_MAPS", 1}, {"METRIC", c.x}, {"METRIC_COUNT", c.y}, {"BASIS", c.z}, {"COEFFICIENTS", c.w}});
+    const std::array<int, 7>& c = *common;
+    defines.insert(defines.end(), {{"UNIFORM_MAPS", 1}, {"METRIC", c[1]}, {"METRIC_COUNT", c[2]}, {"BASIS", c[3]}, {"COEFFICIENTS", c[4]}, {"METRIC_STORE", c[5]}, {"COEFFICIENT_STORE", c[6]}});
   }
   return defines;
 }

@@ -1,39 +1,35 @@
 #pragma once
 // All shadow maps live here: one 2D texture array per format, blocks of map layers packed into it. GL thread only; a block keeps its
 // store alive.
+#include <array>
 #include <memory>
+#include <span>
+#include <vector>
 
-#include "renderer/base/enum_info.h"
 #include "renderer/base/result.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/shaders/shared/records.h"
 
-#include <array>
-
 namespace pileus::shadow {
 
-enum class Storage { Float, Half };
-constexpr auto enumInfo(Storage*) {
-  return std::array{EnumItem<Storage>{Storage::Float, "float", "Float", "32-bit coefficients: exact to about 1e-6."},
-                    EnumItem<Storage>{Storage::Half, "half", "Half", "16-bit coefficients and interval ends: half the memory, errors around 1e-3."}};
-}
-
 /// Texel formats of the store.
-enum class Texels { Float = 0, Half = 1, Unorm = 2 };
+enum class Texels { Float = STORE_FLOAT, Half = STORE_HALF, Unorm = STORE_UNORM, Byte = STORE_BYTE, Pair = STORE_PAIR };
 
 struct ShadowStoreState;
 
-/// A square of `resolution` texels over `layers` consecutive layers; contents undefined until written. Freed with its last owner.
+/// A square of `resolution` texels over `layers` consecutive layers, `faces` times; contents undefined until written. Freed with its
+/// last owner.
 class ShadowBlock {
  public:
-  ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers, int sheet, int cell);
+  ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers, int faces, int sheet, int cell);
   ~ShadowBlock();
   ShadowBlock(const ShadowBlock&) = delete;
   ShadowBlock& operator=(const ShadowBlock&) = delete;
 
   int resolution() const { return resolution_; }
-  int layers() const { return layers_; }
+  int layers() const { return layers_; }  ///< of one face
+  int faces() const { return faces_; }
   Texels texels() const { return texels_; }
   std::size_t bytes() const;
   /// Where it lies now (blocks never move, their texture may be replaced by a larger one).
@@ -44,15 +40,35 @@ class ShadowBlock {
  private:
   std::shared_ptr<ShadowStoreState> store_;
   Texels texels_;
-  int resolution_, layers_, sheet_, cell_;
+  int resolution_, layers_, faces_, sheet_, cell_;
+};
+
+/// A run of 8-byte elements for one deep map: a header (first vertex, count) for each texel, then the vertices (x, T) of all.
+class DeepBlock {
+ public:
+  DeepBlock(std::shared_ptr<ShadowStoreState> store, std::size_t first, std::size_t count) : store_(std::move(store)), first_(first), count_(count) {}
+  ~DeepBlock();
+  DeepBlock(const DeepBlock&) = delete;
+  DeepBlock& operator=(const DeepBlock&) = delete;
+  std::size_t first() const { return first_; }
+  std::size_t count() const { return count_; }
+  std::size_t bytes() const { return count_ * 8; }
+  void write(std::size_t at, std::span<const uvec2> elements) const;  ///< relative to first()
+  std::vector<uvec2> read(std::size_t at, std::size_t count) const;
+  void bindImage(GLuint unit) const;  ///< the whole buffer, for writing
+
+ private:
+  std::shared_ptr<ShadowStoreState> store_;
+  std::size_t first_, count_;
 };
 
 class ShadowStore {
  public:
   ShadowStore(const gl::DeviceInfo& device, std::size_t budgetBytes);
   /// Error (Gpu) names the need and the budget.
-  Result<std::shared_ptr<const ShadowBlock>> allocate(Texels texels, int resolution, int layers);
-  /// The three arrays to their texture units.
+  Result<std::shared_ptr<const ShadowBlock>> allocate(Texels texels, int resolution, int layers, int faces = 1);
+  Result<std::shared_ptr<const DeepBlock>> allocateDeep(std::size_t elements);
+  /// Every array and the deep buffer to their texture units.
   void bind() const;
   std::size_t bytes() const;
 

@@ -27,6 +27,7 @@ void compare(Metric metric, Basis basis) {
     for (int k = 0; k < 3; ++k) r[k] = 2 * s(rng), r[3 + k] = s(rng);
     r[6] = s(rng), r[7] = 0.9f * s(rng), r[8] = u(rng), r[9] = 3 * u(rng), r[10] = u(rng);
     r[11] = std::min(1.0f, r[10] + 0.2f * u(rng));
+    for (int k = 0; k < 4; ++k) r[12 + k] = (1 + std::floor(254 * u(rng))) / 255;
     if (metric == Metric::Interval) {
       float ends[8];
       for (float& e : ends) e = u(rng);
@@ -40,7 +41,7 @@ void compare(Metric metric, Basis basis) {
   }
   const int metricCode = metric == Metric::Interval ? METRIC_INTERVAL : metric == Metric::Cosine ? METRIC_COSINE : METRIC_FOURIER;
   const int basisCode = basis == Basis::Cosine ? BASIS_COSINE : basis == Basis::Fourier ? BASIS_FOURIER : BASIS_SLAB;
-  auto program = test::renderer().shaders().program({"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}});
+  auto program = test::renderer().shaders().program({"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"WEIGHTS", 1}});
   ASSERT_TRUE(program) << program.error().message;
   gl::Buffer input, output;
   input.assign(std::span<const float>(in));
@@ -77,9 +78,12 @@ void compare(Metric metric, Basis basis) {
     const double hg = (1 - g * g) / (4 * kPi * d * std::sqrt(d));
     EXPECT_NEAR(o[4], hg, 1e-5 * std::max(hg, 1.0));
     std::vector<double> m(r + 16, r + 24), c(r + 32, r + 40);
-    expectNear(o[5], shadow::metricU(metric, m, r[8]), 1, "u", i);
+    std::vector<double> w(r + 12, r + 16);
+    expectNear(o[5], shadow::metricU(metric, m, r[8], w), 1, "u", i);
     if (metric != Metric::Interval) expectNear(o[6], shadow::metricFace(metric, i % 8, r[8]), 1, "face", i);
     expectNear(o[7], shadow::basisTau(basis, c, r[8]), 3, "tau", i);
+    const double slab = 8.0 * double(r[8]);
+    if (basis != Basis::Slab || std::abs(slab - std::round(slab)) > 1e-4) expectNear(o[16], shadow::basisValue(basis, c, r[8]), 8, "value", i);
     std::vector<double> projected(8, 0.0);
     shadow::projectStep(basis, projected, r[9], r[10], r[11]);
     for (std::size_t k = 0; k < 8; ++k) expectNear(o[8 + k], projected[k], 6, "projection", i);
@@ -93,7 +97,8 @@ TEST(Twins, IntervalMetricAndSlabs) { compare(Metric::Interval, Basis::Slab); }
 TEST(Shaders, EveryEntryCompiles) {
   test::renderer();
   gl::ShaderLibrary library;
-  const gl::Defines defines = {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"STORES", 7}, {"LIGHT_KINDS", 7}, {"STORE", 1}, {"INTERVALS", 4}, {"BRICKS", 1},
+  const gl::Defines defines = {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"STORES", 7}, {"LIGHT_KINDS", 31}, {"STORE", 1}, {"INTERVALS", 4}, {"BRICKS", 1},
+                               {"WEIGHTS", 1}, {"HORIZON", 1}, {"PROBES", 64}, {"COEFFICIENTS", 8}, {"DAMPING", 1}, {"PERSPECTIVE", 1}, {"FILL", 1}, {"FILTER", 2}, {"SOLIDS", 1},
                                {"TERMS", 4}, {"METRIC", METRIC_COSINE}, {"METRIC_COUNT", 4}, {"BASIS", BASIS_COSINE}, {"ACTIVE", 4}, {"OVERFLOW", 1}, {"LIGHTS", 0}, {"SHAPES", 3}};
   for (const std::string& entry : gl::ShaderLibrary::entries()) {
     std::vector<std::string> stages{entry};

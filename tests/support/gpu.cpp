@@ -57,7 +57,7 @@ scene::Light sunFrom(const dvec3& towards, float irradiance) {
 std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& volumes, const scene::Light& light, const shadow::MetricOptions& metric,
                                                   const shadow::ExtinctionOptions& extinction, const shadow::LightFrustum* frustum) {
   renderer();
-  shadow::PseudometricPass m(metric, light, volumes, frustum ? *frustum : shadow::fitSun(light, volumes, metric.resolution));
+  shadow::PseudometricPass m(metric, light, volumes, frustum ? *frustum : shadow::fitLight(light, volumes, metric.resolution));
   finish(m);
   shadow::ExtinctionPass e(extinction, m.map());
   finish(e);

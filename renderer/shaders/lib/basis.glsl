@@ -79,3 +79,33 @@ float basisTau(int basis, int n, float c[BASIS_FLOATS], float u) {
   }
   return tau;
 }
+
+// The function itself at u: SUM of coefficients times basis functions (slabs: their density), not integrated.
+float basisValue(int basis, int n, float c[BASIS_FLOATS], float u) {
+  float value = 0.0;
+  if (basis == BASIS_COSINE) {
+    float w = 2.0 * cos(kPi * u), previous = 0.5 * w, current = 1.0;  // cos(-th), cos(0)
+    for (int k = 0; k < BASIS_FLOATS; ++k) {
+      if (k >= n) break;
+      value += c[k] * current;
+      float next = w * current - previous;
+      previous = current, current = next;
+    }
+    return value;
+  }
+  if (basis == BASIS_FOURIER) {
+    value = 0.5 * c[0];
+    float cs = cos(2.0 * kPi * u), sn = sin(2.0 * kPi * u), ck = cs, sk = sn;
+    for (int i = 1; i < BASIS_FLOATS; i += 2) {
+      if (i >= n) break;
+      value += c[i] * ck;
+      if (i + 1 < n) value += c[min(i + 1, BASIS_FLOATS - 1)] * sk;
+      float next = ck * cs - sk * sn;
+      sk = sk * cs + ck * sn, ck = next;
+    }
+    return value;
+  }
+  int at = clamp(int(u * float(n)), 0, n - 1);
+  for (int j = 0; j < BASIS_FLOATS; ++j) value = j == at ? c[j] * float(n) : value;
+  return value;
+}

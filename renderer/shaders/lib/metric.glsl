@@ -1,5 +1,6 @@
 // The pseudometric u(x): the fraction of the covered length in front of x. Twins: renderer/shadow/metric.h.
-// METRIC_FLOATS: array length of the variant (2 K for intervals, the coefficient count otherwise; at least 1).
+// METRIC_FLOATS: array length of the variant (2 K for intervals, the coefficient count otherwise; at least 4). WEIGHTS 1: intervals
+// count by a weight each.
 #pragma once
 #include "shared/records.h"
 #include "lib/basis.glsl"
@@ -7,6 +8,10 @@
 #ifndef METRIC_FLOATS
 #define METRIC_FLOATS 8
 #endif
+#ifndef WEIGHTS
+#define WEIGHTS 0
+#endif
+const int kIntervals = METRIC_FLOATS / 2;
 
 // Antiderivative F of basis function i of g' at t: a box that covers [a,b] adds F(b) - F(a) to coefficient i.
 float metricFace(int metric, int i, float t) {
@@ -16,26 +21,56 @@ float metricFace(int metric, int i, float t) {
   return (i % 2 == 1 ? sin(w) : 1.0 - cos(w)) / (kPi * k);
 }
 
-// Intervals (a0, b0, a1, b1, ...), sorted and disjoint; unused ones have a = b = 1.
+// Intervals (a0, b0, a1, b1, ...), sorted and disjoint; unused ones have a = b = 1. Their weights w are at least 1/255.
+float intervalMass(float m[METRIC_FLOATS], float w[kIntervals], int j) {
+#if WEIGHTS
+  return w[j] * (m[2 * j + 1] - m[2 * j]);
+#else
+  return m[2 * j + 1] - m[2 * j];
+#endif
+}
+
+float intervalWhole(float m[METRIC_FLOATS], float w[kIntervals]) {
+  float whole = 0.0;
+  for (int j = 0; j < kIntervals; ++j) whole += intervalMass(m, w, j);
+  return whole;
+}
+
 // May the metrics of neighbouring texels be blended? Not when an interval of one has no counterpart in the other: ends further apart
-// than a tenth of the shorter one (measured: shifts of 6 % blend well).
-bool intervalsMatch(float m[METRIC_FLOATS], float o[METRIC_FLOATS]) {
+// than a tenth of the shorter one, or shares of u that differ by more than a tenth (measured: shifts of 6 % blend well).
+bool intervalsMatch(float m[METRIC_FLOATS], float w[kIntervals], float o[METRIC_FLOATS], float v[kIntervals]) {
   bool match = true;
-  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) {
-    float shorter = min(m[j + 1] - m[j], o[j + 1] - o[j]);
-    match = match && max(abs(m[j] - o[j]), abs(m[j + 1] - o[j + 1])) <= 0.1 * shorter;
+  for (int j = 0; j < kIntervals; ++j) {
+    float shorter = min(m[2 * j + 1] - m[2 * j], o[2 * j + 1] - o[2 * j]);
+    match = match && max(abs(m[2 * j] - o[2 * j]), abs(m[2 * j + 1] - o[2 * j + 1])) <= 0.1 * shorter;
   }
+#if WEIGHTS
+  float a = max(intervalWhole(m, w), 1e-9), b = max(intervalWhole(o, v), 1e-9);
+  for (int j = 0; j < kIntervals; ++j) match = match && abs(intervalMass(m, w, j) / a - intervalMass(o, v, j) / b) <= 0.1;
+#endif
   return match;
 }
 
-float intervalU(float m[METRIC_FLOATS], float x) {
+float intervalU(float m[METRIC_FLOATS], float w[kIntervals], float x) {
   float g = 0.0, whole = 0.0;
-  for (int j = 0; j + 1 < METRIC_FLOATS; j += 2) {
-    float width = m[j + 1] - m[j];
-    g += clamp(x - m[j], 0.0, width);
+  for (int j = 0; j < kIntervals; ++j) {
+    float width = m[2 * j + 1] - m[2 * j], passed = clamp(x - m[2 * j], 0.0, width);
+#if WEIGHTS
+    g += w[j] * passed;
+    whole += w[j] * width;
+#else
+    g += passed;
     whole += width;
+#endif
   }
-  return whole > 1e-6 ? g / whole : 0.0;
+  return whole > 1e-6 / 255.0 ? min(g / whole, 1.0) : 0.0;
+}
+
+// Where the last interval ends; 0 without any.
+float intervalsEnd(float m[METRIC_FLOATS]) {
+  float end = 0.0;
+  for (int j = 0; j < kIntervals; ++j) end = m[2 * j + 1] > m[2 * j] ? max(end, m[2 * j + 1]) : end;
+  return end;
 }
 
 // g = c_0 x + SUM_k c_k sin(pi k x)/(pi k), u = g / c_0 clamped: overshoot of the truncated series beyond [0,1] is real.
@@ -65,8 +100,8 @@ float fourierU(float m[METRIC_FLOATS], int n, float x) {
   return whole > 1e-6 ? clamp(g / whole, 0.0, 1.0) : 0.0;
 }
 
-float metricU(int metric, int n, float m[METRIC_FLOATS], float x) {
-  if (metric == METRIC_INTERVAL) return intervalU(m, x);
+float metricU(int metric, int n, float m[METRIC_FLOATS], float w[kIntervals], float x) {
+  if (metric == METRIC_INTERVAL) return intervalU(m, w, x);
   if (metric == METRIC_COSINE) return cosineU(m, n, x);
   if (metric == METRIC_FOURIER) return fourierU(m, n, x);
   return x;

@@ -1,96 +1,145 @@
-// Reading shadow maps out of the store: metrics for those who build on them, lookupTau for those who shade.
-// Variant constants: METRIC_FLOATS and BASIS_FLOATS (largest of the lights present), STORES (bit per STORE_* kind in use), and where
-// all mapped lights agree (UNIFORM_MAPS) their METRIC, METRIC_COUNT, BASIS and COEFFICIENTS, so that nothing else is compiled in.
+// Reading shadow maps: lookupTau is the one interface of all representations that keep something in the store.
+// Variant constants (shadow::lookupDefines): METRIC_FLOATS and BASIS_FLOATS (largest of the lights present), STORES, WEIGHTS, HORIZON,
+// LIGHT_KINDS (bit 1 extinction, 3 transmittance functions, 4 deep), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
+// METRIC_COUNT, BASIS, COEFFICIENTS, so that nothing else is compiled in.
 #pragma once
-#include "shared/bindings.h"
-#include "shared/records.h"
-#include "lib/metric.glsl"
+#include "lib/shadow_blocks.glsl"
+#include "lib/mixed_bit.glsl"
 
-layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MAX_LIGHTS]; };
-layout(binding = UNIT_SHADOW_FLOAT) uniform sampler2DArray shadowFloat;
-layout(binding = UNIT_SHADOW_HALF) uniform sampler2DArray shadowHalf;
-layout(binding = UNIT_SHADOW_UNORM) uniform sampler2DArray shadowUnorm;
+layout(binding = UNIT_SHADOW_DEEP) uniform usamplerBuffer shadowDeep;  // per map: headers (first vertex, count), then vertices (x, T)
 
-// One layer of a block at map coordinates uv in [0,1]^2, bilinear within the block.
-vec4 sampleBlock(ivec4 place, int store, vec2 uv, int layer) {
-  vec2 at = vec2(place.xy) + clamp(uv * float(place.z), vec2(0.5), vec2(float(place.z) - 0.5));
-#if STORES == 1
-  return textureLod(shadowFloat, vec3(at / vec2(textureSize(shadowFloat, 0).xy), float(place.w + layer)), 0.0);
+#ifdef UNIFORM_MAPS
+int metricOf(int light) { return METRIC; }
+int metricCountOf(int light) { return METRIC_COUNT; }
+int basisOf(int light) { return BASIS; }
+int coefficientsOf(int light) { return COEFFICIENTS; }
 #else
-  if (store == STORE_FLOAT) return textureLod(shadowFloat, vec3(at / vec2(textureSize(shadowFloat, 0).xy), float(place.w + layer)), 0.0);
-  if (store == STORE_HALF) return textureLod(shadowHalf, vec3(at / vec2(textureSize(shadowHalf, 0).xy), float(place.w + layer)), 0.0);
-  return textureLod(shadowUnorm, vec3(at / vec2(textureSize(shadowUnorm, 0).xy), float(place.w + layer)), 0.0);
+int metricOf(int light) { return lights[light].shadow.w; }
+int metricCountOf(int light) { return lights[light].items.x; }
+int basisOf(int light) { return lights[light].shadow.y; }
+int coefficientsOf(int light) { return lights[light].shadow.z; }
 #endif
-}
 
-vec4 fetchFirstLayer(ivec4 place, int store, ivec2 texel) {
-  ivec3 p = ivec3(place.xy + clamp(texel, ivec2(0), ivec2(place.z - 1)), place.w);
-#if STORES == 1
-  return texelFetch(shadowFloat, p, 0);
+void loadCoefficients(int light, int face, vec2 uv, out float c[BASIS_FLOATS]) {
+  ivec4 place = lights[light].coefficients.place;
+  int layers = lights[light].coefficients.kind.y;
+  place.w += face * layers;
+#ifdef COEFFICIENT_STORE
+  const int store = COEFFICIENT_STORE;
 #else
-  if (store == STORE_FLOAT) return texelFetch(shadowFloat, p, 0);
-  if (store == STORE_HALF) return texelFetch(shadowHalf, p, 0);
-  return texelFetch(shadowUnorm, p, 0);
+  int store = lights[light].coefficients.kind.x;
 #endif
-}
-
-void loadMetric(int light, vec2 uv, out float m[METRIC_FLOATS]) {
-  ivec4 place = lights[light].metric.place;
-  ivec2 kind = lights[light].metric.kind.xy;
-  for (int i = 0; i < METRIC_FLOATS; i += 4) {
-    vec4 v = sampleBlock(place, kind.x, uv, min(i / 4, kind.y - 1));
-    for (int j = 0; j < 4; ++j) m[i + j] = i < 4 * kind.y ? v[j] : 1.0;
+  for (int i = 0; i < BASIS_FLOATS; i += 4) {
+    vec4 v = sampleBlock(place, store, uv, min(i / 4, layers - 1));
+    for (int j = 0; j < 4 && i + j < BASIS_FLOATS; ++j) c[i + j] = v[j];
   }
 }
 
-// A coefficient texel's footprint (itself, right, below, diagonal) is mixed when the intervals of its metrics do not match: then
-// neither metrics nor coefficients may be blended. The map's builder notes it in the lowest bit of one coefficient of the first layer.
-int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
-bool mixedBit(vec4 first, int coefficients, int store) {
-  float c = first[mixedChannel(coefficients)];
-  return store == STORE_FLOAT ? (floatBitsToUint(c) & 1u) != 0u : (packHalf2x16(vec2(c, 0.0)) & 1u) != 0u;
-}
-float withMixedBit(float c, bool mixed, int store) {
-  uint bit = mixed ? 1u : 0u;
-  if (store == STORE_FLOAT) return uintBitsToFloat((floatBitsToUint(c) & ~1u) | bit);
-  return unpackHalf2x16((packHalf2x16(vec2(c, 0.0)) & ~1u) | bit).x;
+// Optical depth at x by the metric and coefficients at uv. `covers`: the ray meets a medium at all.
+float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
+  float m[METRIC_FLOATS], w[kIntervals], c[BASIS_FLOATS];
+  for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
+  for (int i = 0; i < kIntervals; ++i) w[i] = 1.0;
+  int metric = metricOf(light);
+  if (metric != METRIC_NONE) loadMetric(light, face, uv, m, w);
+  loadCoefficients(light, face, uv, c);
+  covers = metric != METRIC_INTERVAL || m[1] > m[0];
+  float tau = basisTau(basisOf(light), coefficientsOf(light), c, metricU(metric, metricCountOf(light), m, w, x));
+#if HORIZON
+  // Behind the horizon: a ramp from what is in front of it to all there is.
+  if ((lights[light].solids.z & 2) != 0) {
+    ivec4 hp = lights[light].horizon;
+    vec2 h = textureLod(shadowPair, vec3(blockTexel(hp, uv) / vec2(textureSize(shadowPair, 0).xy), float(hp.w + face)), 0.0).xy;
+    float end = intervalsEnd(m);
+    tau += x > end ? max(h.x - tau, 0.0) * clamp((x - end) / max(h.y - end, 1e-6), 0.0, 1.0) : 0.0;
+  }
+#endif
+  return tau;
 }
 
-// Optical depth between the light and a world position. Within one kind of metric the hardware blends metric and coefficients and
-// they are evaluated once; at silhouettes the four texels are evaluated each by its own metric and transmittance is blended.
-float lookupTau(int light, vec3 world) {
-  vec3 q = (lights[light].lightFromWorld * vec4(world, 1.0)).xyz;
-  float x = clamp(q.z, 0.0, 1.0);
+// Within one kind of metric the hardware blends metric and coefficients and they are evaluated once; at silhouettes the four texels are
+// evaluated each by its own metric and transmittance is blended.
+float lookupExtinction(int light, int face, vec2 uv, float x) {
   ivec4 place = lights[light].coefficients.place;
-  int store = lights[light].coefficients.kind.x, layers = lights[light].coefficients.kind.y;
-#ifdef UNIFORM_MAPS
-  const int metric = METRIC, metricCount = METRIC_COUNT, basis = BASIS, n = COEFFICIENTS;
-#else
-  int metric = lights[light].shadow.w, metricCount = lights[light].items.x, basis = lights[light].shadow.y, n = lights[light].shadow.z;
-#endif
-  vec2 f = q.xy * float(place.z) - 0.5, base = floor(f), w = f - base;
+  int store = lights[light].coefficients.kind.x;
+  vec2 f = uv * float(place.z) - 0.5, base = floor(f), w = f - base;
   int taps = 1;
-  if (metric == METRIC_INTERVAL && mixedBit(fetchFirstLayer(place, store, ivec2(base)), n, store)) taps = 4;
-  float m[METRIC_FLOATS], c[BASIS_FLOATS];
-  for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
+  if (metricOf(light) == METRIC_INTERVAL && mixedBit(fetchBlock(place, store, ivec2(base), face * lights[light].coefficients.kind.y), coefficientsOf(light), store)) taps = 4;
   float tau = 0.0, transmittance = 0.0, weights = 0.0;
   int tap = 0;
   do {
     vec2 o = vec2(float(tap & 1), float(tap >> 1));
-    vec2 uv = taps == 1 ? q.xy : (base + o + 0.5) / float(place.z);
-    if (metric != METRIC_NONE) loadMetric(light, uv, m);
-    for (int i = 0; i < BASIS_FLOATS; i += 4) {
-      vec4 v = sampleBlock(place, store, uv, min(i / 4, layers - 1));
-      for (int j = 0; j < 4 && i + j < BASIS_FLOATS; ++j) c[i + j] = v[j];
-    }
-    tau = basisTau(basis, n, c, metricU(metric, metricCount, m, x));
+    bool covers;
+    tau = extinctionTau(light, face, taps == 1 ? uv : (base + o + 0.5) / float(place.z), x, covers);
     // What is lit here lies in a medium: a texel whose ray meets none says nothing about it.
     float weight = mix(1.0 - w.x, w.x, o.x) * mix(1.0 - w.y, w.y, o.y) + 1e-6;
-    if (metric == METRIC_INTERVAL && m[1] <= m[0]) weight *= 1e-6;
+    weight *= covers ? 1.0 : 1e-6;
     transmittance += weight * exp(-tau);
     weights += weight;
     ++tap;
   } while (tap < taps);
+  return taps == 1 ? tau : -log(max(transmittance / weights, 1e-30));
+}
+
+// The stored series is transmittance itself: linear, so the hardware's blend is right.
+float lookupTransmittance(int light, int face, vec2 uv, float x) {
+  float c[BASIS_FLOATS];
+  loadCoefficients(light, face, uv, c);
+  return -log(clamp(basisValue(basisOf(light), coefficientsOf(light), c, x), 1e-9, 1.0));
+}
+
+vec2 deepVertex(int i) { return uintBitsToFloat(texelFetch(shadowDeep, i).xy); }
+
+// Transmittance of one texel's vertices at x: binary search, then a straight line.
+float deepTransmittance(int base, ivec2 texel, int edge, int face, float x) {
+  texel = clamp(texel, ivec2(0), ivec2(edge - 1));
+  uvec2 header = texelFetch(shadowDeep, base + (face * edge + texel.y) * edge + texel.x).xy;
+  int first = base + int(header.x), lo = 0, hi = max(int(header.y) - 1, 0);
+  if (header.y == 0u) return 1.0;
+  do {
+    int middle = (lo + hi + 1) / 2;
+    bool behind = deepVertex(first + middle).x <= x;
+    lo = behind ? middle : lo;
+    hi = behind ? hi : max(middle - 1, lo);
+  } while (lo < hi);
+  vec2 a = deepVertex(first + lo), b = deepVertex(first + min(lo + 1, int(header.y) - 1));
+  return mix(a.y, b.y, clamp((x - a.x) / max(b.x - a.x, 1e-9), 0.0, 1.0));
+}
+
+// Transmittances of the four texels are blended, never vertices.
+float lookupDeep(int light, int face, vec2 uv, float x) {
+  int edge = lights[light].coefficients.place.z, base = lights[light].items.y;
+  vec2 f = clamp(uv * float(edge), vec2(0.5), vec2(float(edge) - 0.5)) - 0.5, o = floor(f), w = f - o;
+  float T = 0.0;
+  int tap = 0;
+  do {
+    ivec2 d = ivec2(tap & 1, tap >> 1);
+    float weight = (d.x == 1 ? w.x : 1.0 - w.x) * (d.y == 1 ? w.y : 1.0 - w.y);
+    T += weight * deepTransmittance(base, ivec2(o) + d, edge, face, x);
+    ++tap;
+  } while (tap < 4);
+  return -log(clamp(T, 1e-9, 1.0));
+}
+
+// Optical depth between the light and a world position, by the light's map of whatever kind.
+float lookupTau(int light, vec3 world) {
+  int face;
+  vec3 q = mapCoordinates(light, world, float(lights[light].coefficients.place.z), face);
+  float x = clamp(q.z, 0.0, 1.0), tau = 0.0;
+  int kind = lights[light].shadow.x;
+#if (LIGHT_KINDS & 26) == 2
+  tau = lookupExtinction(light, face, q.xy, x);
+#else
+#if LIGHT_KINDS & 2
+  if (kind == SHADOW_EXTINCTION) tau = lookupExtinction(light, face, q.xy, x);
+#endif
+#if LIGHT_KINDS & 8
+  if (kind == SHADOW_TRANSMITTANCE) tau = lookupTransmittance(light, face, q.xy, x);
+#endif
+#if LIGHT_KINDS & 16
+  if (kind == SHADOW_DEEP) tau = lookupDeep(light, face, q.xy, x);
+#endif
+#endif
   bool outside = any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0))) || q.z <= 0.0;
-  return outside ? 0.0 : taps == 1 ? tau : -log(max(transmittance / weights, 1e-30));
+  return outside ? 0.0 : tau;
 }

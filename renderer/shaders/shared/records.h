@@ -33,6 +33,12 @@ struct LevelRecord {
 #define SHADOW_NONE 0
 #define SHADOW_EXTINCTION 1
 #define SHADOW_RAY_MARCH 2
+#define SHADOW_TRANSMITTANCE 3
+#define SHADOW_DEEP 4
+
+#define LIGHT_SUN 0
+#define LIGHT_POINT 1
+#define LIGHT_SPOT 2
 
 #define METRIC_NONE 0
 #define METRIC_INTERVAL 1
@@ -46,24 +52,40 @@ struct LevelRecord {
 #define STORE_FLOAT 0
 #define STORE_HALF 1
 #define STORE_UNORM 2
+#define STORE_BYTE 3  // RGBA8: interval weights
+#define STORE_PAIR 4  // RG16F: horizons
 
 // Where a block of map layers lies in the shadow store.
 struct BlockRecord {
   ivec4 place;     // x, y: first texel; z: edge in texels; w: first layer
-  ivec4 kind;      // x: STORE_*, y: layers
+  ivec4 kind;      // x: STORE_*, y: layers of one face, z: faces (6 for a point light, one after the other; else 1)
 };
 
 #define MAX_LIGHTS 48  // of one dispatch: fits the 16 KiB a uniform block is guaranteed
 struct LightRecord {
-  mat4 lightFromWorld;  // world -> (u, v, x) in [0,1]^3, x from the near to the far plane
+  mat4 lightFromWorld;  // sun: world -> (u, v, x) in [0,1]^3, x from the near to the far plane; else: rigid, the light at the origin, z along its axis
   mat4 worldFromLight;
-  vec4 towards;         // sun: unit vector towards the light
-  vec4 emitted;         // sun: irradiance rgb [W/m^2]
-  vec4 extent;          // x: metres from near to far plane; y: step scale of a ray march
+  vec4 towards;         // xyz: unit vector towards the sun, or against the axis of a spot; w: cosine at the edge of a spot's cone
+  vec4 emitted;         // rgb: irradiance [W/m^2] or radiant intensity [W/sr]; w: radius [m]
+  vec4 extent;          // x: metres from near to far; y: step scale of a ray march; z: near distance [m] (0 for a sun); w: tangent of a map's half angle
+  vec4 position;        // xyz: of a point or spot light; w: cosine where a spot begins to fade
   ivec4 shadow;         // x: SHADOW_*, y: BASIS_*, z: coefficients, w: METRIC_*
-  ivec4 items;          // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray march)
+  ivec4 items;          // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray march) or first deep texel; w: LIGHT_*
+  ivec4 solids;         // x, y: first and count in SolidRecords of those that block this light; z: bit 0 interval weights, bit 1 horizon
   BlockRecord metric;
   BlockRecord coefficients;
+  ivec4 weights;        // place of the weights' layers (STORE_BYTE), edge and faces as the metric's
+  ivec4 horizon;        // place of (tau in all, last exit) (STORE_PAIR), edge and faces as the coefficients'
+};
+
+// One opaque solid, SOLID_ROWS texels of a buffer texture.
+#define SOLID_ROWS 9
+#define SOLID_PLANE 0
+#define SOLID_BOX 1
+struct SolidRecord {
+  mat4 localFromWorld;
+  mat4 worldFromLocal;
+  vec4 albedo;     // rgb; w: SOLID_* as a number
 };
 
 #ifdef __cplusplus

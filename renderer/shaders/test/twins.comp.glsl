@@ -17,12 +17,14 @@ void main() {
   vec2 box = intersectBox(ro, rd, vec3(-0.5), vec3(0.5)), ball = intersectBall(ro, rd);
   outputs[o] = box.x, outputs[o + 1] = box.y, outputs[o + 2] = ball.x, outputs[o + 3] = ball.y;
   outputs[o + 4] = phaseHg(inputs[a + 6], inputs[a + 7]);
-  float x = inputs[a + 8], m[METRIC_FLOATS], c[BASIS_FLOATS];
+  float x = inputs[a + 8], m[METRIC_FLOATS], w[kIntervals], c[BASIS_FLOATS];
   for (int k = 0; k < METRIC_FLOATS; ++k) m[k] = inputs[a + 16 + k];
   for (int k = 0; k < BASIS_FLOATS; ++k) c[k] = inputs[a + 32 + k];
-  outputs[o + 5] = metricU(metric, metricCount, m, x);
+  for (int k = 0; k < kIntervals; ++k) w[k] = inputs[a + 12 + k];
+  outputs[o + 5] = metricU(metric, metricCount, m, w, x);
   outputs[o + 6] = metricFace(metric, i % 8, x);
   outputs[o + 7] = basisTau(basis, BASIS_FLOATS, c, x);
+  outputs[o + 16] = basisValue(basis, BASIS_FLOATS, c, x);
   for (int k = 0; k < BASIS_FLOATS; ++k) c[k] = 0.0;
   projectStep(basis, c, inputs[a + 9], inputs[a + 10], inputs[a + 11]);
   for (int k = 0; k < BASIS_FLOATS; ++k) outputs[o + 8 + k] = c[k];

@@ -1,0 +1,76 @@
+// Lights: what arrives unshadowed, where a point lies in a light's map, and a map texel's light ray. Twins: scene/light.h,
+// shadow/light_frustum.h.
+#pragma once
+#include "shared/bindings.h"
+#include "shared/records.h"
+
+layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MAX_LIGHTS]; };
+
+// Towards the light from p, and E(p) [W/m^2] without shadow.
+struct Incidence {
+  vec3 towards;
+  float distance;  // metres; 1e30 for a sun
+  vec3 irradiance;
+};
+
+Incidence lightAt(int l, vec3 p) {
+  vec3 to = lights[l].position.xyz - p;
+  float r2 = dot(to, to), r = sqrt(r2);
+  bool sun = lights[l].items.w == LIGHT_SUN;
+  Incidence i;
+  i.towards = sun ? lights[l].towards.xyz : r > 0.0 ? to / r : lights[l].towards.xyz;
+  i.distance = sun ? 1e30 : r;
+  float falloff = 1.0 / max(max(r2, lights[l].emitted.w * lights[l].emitted.w), 1e-12);
+  float edge = lights[l].towards.w, inner = lights[l].position.w;
+  float t = clamp((dot(i.towards, lights[l].towards.xyz) - edge) / max(inner - edge, 1e-6), 0.0, 1.0);
+  falloff *= lights[l].items.w == LIGHT_SPOT ? t * t * (3.0 - 2.0 * t) : 1.0;
+  i.irradiance = lights[l].emitted.rgb * (sun ? 1.0 : falloff);
+  return i;
+}
+
+// Maps of point lights have six faces: 0..5 = +X -X +Y -Y +Z -Z of light space. A face's image plane is spanned by the other two axes
+// in cyclic order. One texel of border beyond 90 degrees makes bilinear footprints whole at the edges.
+float faceScale(int kind, float edge) { return kind == LIGHT_POINT ? 1.0 - 2.0 / edge : 1.0; }
+
+// World -> (u, v, x): u and v in [0,1]^2 of face `face`, x in [0,1] from near to far; any of them may lie outside.
+vec3 mapCoordinates(int l, vec3 p, float edge, out int face) {
+  vec3 q = (lights[l].lightFromWorld * vec4(p, 1.0)).xyz;
+  face = 0;
+  int kind = lights[l].items.w;
+  if (kind == LIGHT_SUN) return q;
+  float x = (length(q) - lights[l].extent.z) / lights[l].extent.x;
+  vec3 a = abs(q);
+  int axis = kind == LIGHT_SPOT ? 2 : a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  float along = axis == 0 ? q.x : axis == 1 ? q.y : q.z;
+  vec2 across = axis == 0 ? q.yz : axis == 1 ? q.zx : q.xy;
+  face = kind == LIGHT_POINT ? 2 * axis + (along < 0.0 ? 1 : 0) : 0;
+  float depth = kind == LIGHT_POINT ? abs(along) : along;
+  vec2 uv = 0.5 + 0.5 * faceScale(kind, edge) * across / (max(depth, 1e-20) * lights[l].extent.w);
+  return vec3(depth > 0.0 ? uv : vec2(-1.0), x);
+}
+
+// The light ray of map coordinates: from x = 0 to 1 is o + t d, t in [0, length] metres.
+struct MapRay {
+  vec3 o, d;
+  float length;
+};
+
+MapRay mapRay(int l, int face, vec2 uv, float edge) {
+  int kind = lights[l].items.w;
+  MapRay r;
+  if (kind == LIGHT_SUN) {
+    r.o = (lights[l].worldFromLight * vec4(uv, 0.0, 1.0)).xyz;
+    vec3 end = (lights[l].worldFromLight * vec4(uv, 1.0, 1.0)).xyz;
+    r.length = length(end - r.o);
+    r.d = (end - r.o) / r.length;
+    return r;
+  }
+  vec2 across = (2.0 * uv - 1.0) / faceScale(kind, edge) * lights[l].extent.w;
+  int axis = face >> 1;
+  float s = (face & 1) == 1 ? -1.0 : 1.0;
+  vec3 q = kind == LIGHT_SPOT ? vec3(across, 1.0) : axis == 0 ? vec3(s, across) : axis == 1 ? vec3(across.y, s, across.x) : vec3(across, s);
+  r.d = normalize((lights[l].worldFromLight * vec4(q, 0.0)).xyz);
+  r.o = lights[l].position.xyz + lights[l].extent.z * r.d;
+  r.length = lights[l].extent.x;
+  return r;
+}

@@ -1,0 +1,99 @@
+// Deep shadow map (Lokovic and Veach 2000): per texel a piecewise-linear transmittance over x, compressed in one pass so that it never
+// errs by more than a bound: a window of slopes through the last vertex is narrowed until the next point would empty it.
+// FILL 0 counts vertices (of the raw function too); FILL 1 writes them where the header says.
+// FILTER: light rays along a texel's edge whose transmittance is averaged (the paper's prefiltering).
+#include "lib/ordered_march.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+#if FILL
+layout(rg32ui, binding = IMAGE_TARGET) writeonly uniform uimageBuffer vertices;
+uniform int blockFirst;  // of the map in the buffer
+#endif
+layout(rgba32ui, binding = IMAGE_TARGET + 1) uniform uimage2D counts;  // kept, raw, doublings of the bound, first vertex
+uniform float errorBound;
+uniform int nodeBudget;
+const int kRays = FILTER * FILTER;
+const int kMaxDoublings = 12;
+
+// The compressor: last vertex, window of slopes, last point seen.
+float lastX, lastT, slopeLow, slopeHigh, seenX, bound;
+int kept, raw, firstVertex;
+
+void emit(float x, float T) {
+#if FILL
+  imageStore(vertices, blockFirst + firstVertex + kept, uvec4(floatBitsToUint(x), floatBitsToUint(clamp(T, 0.0, 1.0)), 0u, 0u));
+#endif
+  ++kept;
+  lastX = x, lastT = T;
+  slopeLow = -1e30, slopeHigh = 1e30;
+}
+
+void addPoint(float x, float T) {
+  if (x <= seenX) return;  // a jump of two rays at one place: the later one counts from here on
+  ++raw;
+  float d = x - lastX, lo = max(slopeLow, (T - bound - lastT) / d), hi = min(slopeHigh, (T + bound - lastT) / d);
+  if (lo > hi) {
+    emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
+    d = x - lastX;
+    lo = (T - bound - lastT) / d, hi = (T + bound - lastT) / d;
+  }
+  slopeLow = lo, slopeHigh = hi;
+  seenX = x;
+}
+
+void compress(MapTexel mt) {
+  OrderedMarch march[kRays];
+  float T[kRays], a[kRays], b[kRays], sigma[kRays];
+  float length_ = 1.0;
+  ivec2 range = tileRange(mt.tall);
+  for (int r = 0; r < kRays; ++r) {
+    vec2 uv = (vec2(mt.texel) + (vec2(float(r % FILTER), float(r / FILTER)) + 0.5) / float(FILTER)) / float(mapEdge);
+    march[r] = beginMarch(mapRay(0, mt.face, uv, float(mapEdge)), range);
+    length_ = march[r].ray.length;
+    T[r] = 1.0;
+    if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
+  }
+  kept = 0, raw = 0;
+  bool begun = false;
+  int guard = 0;
+  for (; guard < 262144; ++guard) {
+    int r = 0;
+    for (int k = 1; k < kRays; ++k) r = a[k] < a[r] ? k : r;
+    if (a[r] >= 1e30) break;
+    float mean = 0.0;
+    for (int k = 0; k < kRays; ++k) mean += T[k] / float(kRays);
+    float x0 = a[r] / length_, x1 = b[r] / length_;
+    if (!begun) {
+      begun = true;
+      seenX = x0, raw = 1;
+      emit(x0, mean);
+    } else if (x0 > seenX + 1e-6) {
+      addPoint(x0, mean);  // transmittance was constant up to here
+    }
+    float before = T[r];
+    T[r] *= exp(-sigma[r] * (b[r] - a[r]));
+    addPoint(x1, mean + (T[r] - before) / float(kRays));
+    if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
+  }
+  if (begun && seenX > lastX) emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
+}
+
+void main() {
+  MapTexel mt = mapTexel();
+  if (!mt.valid) return;
+  uvec4 count = uvec4(0u);
+#if FILL
+  count = imageLoad(counts, mt.tall);
+  bound = errorBound * exp2(float(count.z));
+  firstVertex = int(count.w);
+  if (count.x > 0u) compress(mt);
+#else
+  bound = errorBound;
+  do {
+    compress(mt);
+    if (kept <= nodeBudget || int(count.z) >= kMaxDoublings) break;
+    bound = max(2.0 * bound, 1e-4 * exp2(float(count.z)));
+    ++count.z;
+  } while (true);
+  imageStore(counts, mt.tall, uvec4(uint(kept), uint(raw), count.z, 0u));
+#endif
+}

@@ -1,0 +1,42 @@
+// Transmittance function map (Delalandre et al. 2011): T itself, marched in order, projected on a basis over plain distance x.
+#include "lib/basis.glsl"
+#include "lib/ordered_march.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+#if STORE == STORE_FLOAT
+layout(rgba32f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
+#else
+layout(rgba16f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
+#endif
+
+void main() {
+  MapTexel mt = mapTexel();
+  if (!mt.valid) return;
+  MapRay ray = mapRay(0, mt.face, texelUv(mt), float(mapEdge));
+  OrderedMarch march = beginMarch(ray, tileRange(mt.tall));
+  float c[BASIS_FLOATS];
+  for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
+  float T = 1.0, done = 0.0, a, b, sigma;
+  // What is constant between two steps is projected as one piece, whatever its length.
+  bool more;
+  do {
+    more = nextStep(march, a, b, sigma);
+    float from = more ? a / ray.length : 1.0, to = more ? min(b / ray.length, 1.0) : 1.0;
+    // In pieces short against a basis period: sinc is a series.
+    int pieces = int(ceil((from - done) * 2.0 * float(BASIS_FLOATS) - 1e-4));
+    for (int piece = 0; piece < pieces; ++piece) {
+      float x0 = mix(done, from, float(piece) / float(pieces)), x1 = mix(done, from, float(piece + 1) / float(pieces));
+      projectStep(BASIS, c, T * (x1 - x0), x0, x1);
+    }
+    float depth = more ? sigma * (b - a) : 0.0;
+    float mean = depth < 1e-3 ? 1.0 - 0.5 * depth : (1.0 - exp(-depth)) / max(depth, 1e-20);
+    projectStep(BASIS, c, T * mean * max(to - from, 0.0), from, to);
+    T *= exp(-depth);
+    done = to;
+  } while (more);
+  BlockRecord block = lights[0].coefficients;
+  for (int layer = 0; layer < (BASIS_FLOATS + 3) / 4; ++layer) {
+    vec4 v = vec4(0.0);
+    for (int j = 0; j < 4 && 4 * layer + j < BASIS_FLOATS; ++j) v[j] = c[4 * layer + j];
+    imageStore(target, ivec3(block.place.xy + mt.texel, block.place.w + mt.face * block.kind.y + layer), v);
+  }
+}

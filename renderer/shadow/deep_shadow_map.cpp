@@ -1,0 +1,89 @@
+#include "renderer/shadow/deep_shadow_map.h"
+
+#include <cmath>
+
+#include "renderer/base/profile.h"
+#include "renderer/shaders/shared/bindings.h"
+
+namespace pileus::shadow {
+
+DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, const LightFrustum& frustum)
+    : map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, spec.resolution, 64) {
+  map_->kind = ShadowMap::Kind::Deep;
+  map_->light = light;
+  map_->volumes = pass_.volumes();
+  map_->solids = solids;
+  map_->spec = spec;
+  map_->frustum = frustum;
+}
+
+Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
+  gl::Defines defines = orderedMarchDefines(pass_);
+  defines.insert(defines.end(), {{"FILL", fill}, {"FILTER", std::clamp(map_->spec.filter, 1, 4)}});
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/deep_map.comp.glsl"}, defines));
+  program->use();
+  program->set("errorBound", float(map_->spec.errorBound));
+  program->set("nodeBudget", map_->spec.nodeBudget);
+  if (fill) {
+    map_->deep->bindImage(IMAGE_TARGET);
+    program->set("blockFirst", int(map_->deep->first()));
+  }
+  glBindImageTexture(IMAGE_TARGET + 1, counts_.id(), 0, GL_FALSE, 0, fill ? GL_READ_ONLY : GL_WRITE_ONLY, GL_RGBA32UI);
+  pass_.dispatch(gpu, *program);
+  return {};
+}
+
+/// Gives each texel its place behind the headers.
+Result<void> DeepShadowPass::place(const Gpu& gpu) {
+  const int edge = pass_.resolution(), stride = pass_.faceStride(), faces = map_->frustum.faces();
+  const ivec2 tall = pass_.tallSize();
+  std::vector<uvec4> counts(std::size_t(tall.x) * std::size_t(tall.y));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureImage(counts_.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)), counts.data());
+  std::vector<uvec2> headers(std::size_t(edge) * std::size_t(edge) * std::size_t(faces));
+  statistics_ = {};
+  statistics_.texels = headers.size();
+  std::size_t next = headers.size(), header = 0;
+  for (int face = 0; face < faces; ++face)
+    for (int y = 0; y < edge; ++y)
+      for (int x = 0; x < edge; ++x) {
+        uvec4& c = counts[std::size_t(face * (faces > 1 ? stride : 0) + y) * std::size_t(tall.x) + std::size_t(x)];
+        c.w = std::uint32_t(next);
+        headers[header++] = uvec2(c.w, c.x);
+        next += c.x;
+        statistics_.vertices += c.x;
+        statistics_.rawVertices += c.y;
+        if (c.z > 0) ++statistics_.overBudget;
+        if (c.x > 0) statistics_.worstBound = std::max(statistics_.worstBound, std::ldexp(map_->spec.errorBound, int(c.z)));
+      }
+  PILEUS_TRY(map_->deep, gpu.store.allocateDeep(next));
+  map_->deep->write(0, headers);
+  glTextureSubImage2D(counts_.id(), 0, 0, 0, tall.x, tall.y, GL_RGBA_INTEGER, GL_UNSIGNED_INT, counts.data());
+  return {};
+}
+
+Result<double> DeepShadowPass::step(const Gpu& gpu, double ms) {
+  const Stopwatch clock;
+  PILEUS_TRY(const double resident, pass_.prepare(gpu, ms));
+  if (resident < 1) return 0.2 * resident;
+  if (!counts_) {
+    counts_ = gl::Texture(GL_TEXTURE_2D, GL_RGBA32UI, ivec3(pass_.tallSize(), 1), "deep map counts");
+    const uvec4 zero(0);
+    glClearTexImage(counts_.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, &zero);
+  }
+  pass_.bindLight(*map_);
+  const bool fill = map_->deep != nullptr;
+  do {
+    PILEUS_CHECK(run(gpu, fill));
+    pass_.next();
+  } while (!pass_.done() && clock.ms() < ms);
+  if (!fill) {
+    if (!pass_.done()) return 0.2 + 0.4 * pass_.fraction();
+    PILEUS_CHECK(place(gpu));
+    pass_.restart();
+    return 0.6;
+  }
+  return 0.6 + 0.4 * pass_.fraction();
+}
+
+}  // namespace pileus::shadow

@@ -1,0 +1,62 @@
+#pragma once
+// What every pass that fills a light's map shares: resident volumes, lists of volumes per tile, the light's record, and the walk over
+// the map in regions. A point light's six faces stand one below the other in one tall map. GL thread.
+#include "renderer/gl/gpu_timer.h"
+#include "renderer/gl/region_cursor.h"
+#include "renderer/residency/tile_lists.h"
+#include "renderer/residency/volume_set.h"
+#include "renderer/shadow/gpu.h"
+#include "renderer/shadow/light_frustum.h"
+
+namespace pileus::shadow {
+
+struct ShadowMap;
+
+class MapPass {
+ public:
+  /// `softwareEdge`: edge of a region on a CPU, where a dispatch cannot be interrupted.
+  MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution, int softwareEdge);
+
+  /// Uploads bricks for about `ms` milliseconds; 1 = all there, and tile lists are built.
+  Result<double> prepare(const Gpu& gpu, double ms);
+  /// The record of a light with `map` as its shadow, for the shaders of this pass.
+  void bindLight(const ShadowMap& map);
+  /// Binds volumes, tiles, store and the uniforms of lib/map_texel.glsl, and dispatches the region at the cursor in groups of 8 x 8.
+  void dispatch(const Gpu& gpu, gl::Program& program);
+  /// The same bindings without a dispatch, for passes that draw.
+  void bind(const Gpu& gpu, gl::Program& program);
+  bool done() const { return cursor_.done(); }
+  void next() { ++cursor_.next; }
+  void restart() { cursor_.next = 0; }
+  void finish() { cursor_.next = cursor_.count(); }
+  double fraction() const { return double(cursor_.next) / cursor_.count(); }
+  double takeGpuMs() { return timer_.takeMs(); }
+  gl::GpuTimer& timer() { return timer_; }
+
+  const volume::InstanceList& volumes() const { return volumes_; }  ///< canonical
+  const LightFrustum& frustum() const { return frustum_; }
+  int resolution() const { return resolution_; }
+  int faceStride() const { return (resolution_ + 15) / 16 * 16; }   ///< rows of the tall map from one face to the next
+  ivec2 tallSize() const { return {resolution_, frustum_.faces() == 1 ? resolution_ : faceStride() * frustum_.faces()}; }
+  int shapes() const { return set_.shapes(); }
+  int longestList() const { return tiles_.longest(); }
+
+ private:
+  volume::InstanceList volumes_;
+  LightFrustum frustum_;
+  int resolution_, softwareEdge_;
+  residency::VolumeSet set_;
+  residency::TileLists tiles_;
+  gl::Buffer record_{"light record"};
+  gl::RegionCursor cursor_;
+  gl::GpuTimer timer_;
+  bool ready_ = false;
+};
+
+/// Variant constants of lib/ordered_march.glsl for this pass's volumes (after prepare() said 1).
+gl::Defines orderedMarchDefines(const MapPass& pass);
+
+/// Texels of the tall map each instance may touch, face by face: entry f * n + i is instance i on face f.
+std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances, const LightFrustum& frustum, int resolution, int faceStride);
+
+}  // namespace pileus::shadow

@@ -1,0 +1,143 @@
+// How far shadow maps are off in what a picture shows: marches camera rays as view/volume_render does, pixel centres and step midpoints,
+// and at each sample with extinction asks both lights of each pair, 2 i with its map and 2 i + 1 with ray-marched truth.
+// Adds to `errors` (SUM w dT, SUM |dT|, the dT of largest magnitude, number of samples) and to `transmittances` (SUM w T, SUM w T true,
+// SUM w, 0), w: how much of the sample is seen. A solid behind the media has its say in the picture (w, dT), but is no sample of them.
+// Variant constants: ACTIVE, OVERFLOW, SOLIDS as in view/volume_render, SHAPES and those of lib/light_tau.glsl.
+#include "shared/compare.h"
+#include "lib/light_tau.glsl"
+#include "lib/tiles.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba32f, binding = IMAGE_ERROR) uniform image2D errors;
+layout(rgba32f, binding = IMAGE_TRANSMITTANCE) uniform image2D transmittances;
+layout(std430, binding = BIND_ERROR_BINS) buffer Bins { uint bins[ERROR_BINS]; };
+uniform ivec2 regionOrigin, regionEnd, size;
+uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
+uniform float pixelAngle, stepScale;
+uniform int pairCount, solidCount;
+
+vec4 error, transmittance;
+
+void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
+  int l = 2 * i;
+  Incidence in_ = unshadowed(l, p);
+  float reached = solidVisibility(l, p, in_.towards, in_.distance) * facing;
+  if (reached <= 0.0 || all(lessThanEqual(in_.irradiance, vec3(0.0)))) return;
+  float mapped = exp(-lightTauTowards(l, p, in_.towards, in_.distance)), truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance));
+  float d = mapped - truth, magnitude = abs(d);
+  transmittance += weight * reached * vec4(mapped, truth, 1.0, 0.0);
+  error.x += weight * reached * d;
+  if (!inMedium) return;
+  error.y += magnitude;
+  error.z = magnitude > abs(error.z) ? d : error.z;
+  error.w += 1.0;
+  const float kBinsPerDecade = float(ERROR_BINS - 1) / ERROR_DECADES;
+  int bin = magnitude < ERROR_LEAST ? 0 : 1 + int(kBinsPerDecade * log2(magnitude / ERROR_LEAST) / log2(10.0));
+  atomicAdd(bins[min(bin, ERROR_BINS - 1)], 1u);
+}
+
+void addAll(vec3 p, float weight) {
+  for (int i = 0; i < pairCount; ++i) addPair(i, p, weight, 1.0, true);
+}
+
+#if SOLIDS
+float nearestSolid(vec3 o, vec3 d, out int solid, out vec3 normal) {
+  float nearest = kNoHit;
+  solid = 0;
+  normal = -d;
+  for (int s = 0; s < solidCount; ++s) {
+    vec3 n;
+    float t = hitSolid(s, o, d, 0.0, n);
+    if (t >= nearest) continue;
+    nearest = t, solid = s, normal = n;
+  }
+  return nearest;
+}
+
+void addSurface(int s, vec3 p, vec3 normal, float t, float weight) {
+  vec3 off = p + solidClearance(s, p, normal, t) * normal;
+  for (int i = 0; i < pairCount; ++i) addPair(i, off, weight, max(dot(normal, unshadowed(2 * i, off).towards), 0.0), false);
+}
+#endif
+
+void main() {
+  ivec2 pixel = regionOrigin + ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, regionEnd))) return;
+  vec2 ndc = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
+  vec3 d = normalize(ndc.x * right - ndc.y * up - back);
+  ivec2 range = tileRange(pixel);
+  error = imageLoad(errors, pixel);
+  transmittance = imageLoad(transmittances, pixel);
+
+  VolumeRay rays[ACTIVE];
+  float T = 1.0, t = 0.0, next = 0.0;
+  bool inMedia = range.x < range.y;
+#if SOLIDS
+  int solid;
+  vec3 normal;
+  float end = nearestSolid(eye, d, solid, normal);
+#else
+  const float end = kNoHit;
+#endif
+  while (inMedia) {
+    // Who is active just after t, and until when does that stay so?
+    next = 1e30;
+    int count = 0, rest = range.y;
+    float ds = 1e30;
+    for (int item = range.x; item < range.y; ++item) {
+      int v = tileItem(item);
+      float footprint = pixelAngle * t;
+      VolumeRay ray;
+      vec2 hit = enterVolume(v, eye, d, levelFor(v, footprint), ray);
+      bool ahead = hit.x < hit.y && hit.y > t, inside = ahead && hit.x <= t;
+      next = ahead ? min(next, inside ? hit.y : hit.x) : next;
+      ds = inside ? min(ds, stepFor(v, footprint)) : ds;
+      for (int k = 0; k < ACTIVE; ++k)
+        if (inside && count == k) rays[k] = ray;
+      rest = inside && count == ACTIVE ? min(rest, item) : rest;
+      count += inside ? 1 : 0;
+    }
+    if (next >= 1e30) break;
+    next = min(next, end);
+    if (count > 0) {
+      ds *= stepScale;
+      int n = int(clamp(ceil((next - t) / ds), 1.0, 8192.0));
+      ds = (next - t) / float(n);
+      int i = 0;
+      do {
+        // On to the next sample with something in it.
+        float sigma, at;
+        do {
+          at = t + (float(i) + 0.5) * ds;
+          float empty = 1e30;
+          for (int k = 0; k < ACTIVE; ++k) empty = k < count ? min(empty, emptyUntil(rays[k], at)) : empty;
+#if OVERFLOW
+          empty = rest < range.y ? at : empty;
+#endif
+          int to = stepAtOrBehind(i, empty, t, 0.5, ds);
+          sigma = 0.0;
+          for (int k = 0; k < ACTIVE; ++k) sigma += k < count && to == i ? sigmaAt(rays[k], at) : 0.0;
+#if OVERFLOW
+          for (int item = rest; item < range.y; ++item) {
+            VolumeRay ray;
+            vec2 hit = enterVolume(tileItem(item), eye, d, levelFor(tileItem(item), pixelAngle * t), ray);
+            if (hit.x <= t && hit.y > t) sigma += sigmaAt(ray, at);
+          }
+#endif
+          i = max(to, i + 1);
+        } while (sigma <= 0.0 && i < n);
+
+        float step = exp(-sigma * ds);
+        if (sigma > 0.0) addAll(eye + at * d, T * (1.0 - step));
+        T *= step;
+      } while (i < n && T >= 1e-4);
+    }
+    t = next;
+    inMedia = T >= 1e-4 && t < end;
+  }
+#if SOLIDS
+  if (end < kNoHit && T >= 1e-4) addSurface(solid, eye + end * d, normal, end, T);
+#endif
+  imageStore(errors, pixel, error);
+  imageStore(transmittances, pixel, transmittance);
+}

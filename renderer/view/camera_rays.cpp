@@ -1,0 +1,52 @@
+#include "renderer/view/camera_rays.h"
+
+#include <cmath>
+
+namespace pileus::view {
+
+std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance> instances,
+                                                const RenderOptions& o) {
+  const glm::dmat3 axes = scene::basis(o.camera);
+  const double th = std::tan(glm::radians(o.camera.fov) / 2), tw = th * o.size.x / o.size.y;
+  const dvec2 size(o.size);
+  std::vector<residency::PixelBounds> out;
+  for (const volume::Instance& i : instances) {
+    const Box3 local = volume::localBounds(i);
+    dvec2 lo(1e9), hi(-1e9);
+    bool near = false, front = false;
+    for (int c = 0; c < 8; ++c) {
+      const dvec3 p =
+          glm::transpose(axes) * (dvec3(i.worldFromLocal * dvec4(local.corner(c), 1.0)) - o.camera.eye);
+      const double depth = -p.z;
+      front |= depth > 0;
+      if (depth < 1e-9 * glm::length(p) + 1e-12) {
+        near = true;
+        continue;
+      }
+      const dvec2 ndc(p.x / (depth * tw), -p.y / (depth * th));
+      lo = glm::min(lo, ndc), hi = glm::max(hi, ndc);
+    }
+    const auto pixel = [&](dvec2 ndc, double room) {
+      return glm::clamp((ndc * 0.5 + 0.5) * size + room, dvec2(-1), size + 1.0);
+    };
+    if (near)
+      out.push_back(front ? residency::PixelBounds{ivec2(0), o.size} : residency::PixelBounds{});
+    else
+      out.push_back({ivec2(glm::floor(pixel(lo, -1))), ivec2(glm::ceil(pixel(hi, 1)))});
+  }
+  return out;
+}
+
+void setCameraRays(gl::Program& program, const RenderOptions& o) {
+  const glm::dmat3 axes = scene::basis(o.camera);
+  const double th = std::tan(glm::radians(o.camera.fov) / 2);
+  program.set("size", o.size);
+  program.set("eye", vec3(o.camera.eye));
+  program.set("right", vec3(axes[0] * th * (static_cast<double>(o.size.x) / o.size.y)));
+  program.set("up", vec3(axes[1] * th));
+  program.set("back", vec3(axes[2]));
+  program.set("pixelAngle", static_cast<float>(2 * th / o.size.y));
+  program.set("stepScale", static_cast<float>(o.stepScale));
+}
+
+}  // namespace pileus::view

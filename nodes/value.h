@@ -54,7 +54,8 @@ struct LightValue {
   std::vector<LightWithShadow> items;
 };
 struct MetricValue {
-  std::shared_ptr<const shadow::PseudometricMap> map;
+  std::vector<std::shared_ptr<const shadow::PseudometricMap>> items;  ///< one for each light
+  scene::SolidList solids;                                            ///< that block those lights
 };
 struct CameraValue {
   std::shared_ptr<const scene::Camera> camera;  ///< null: not linked

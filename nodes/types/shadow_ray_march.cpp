@@ -1,7 +1,6 @@
 // shadow.ray_march: brute force, the comparison.
 #include "nodes/describe.h"
 #include "nodes/shadow_common.h"
-#include "renderer/shadow/shadow_map.h"
 
 namespace pileus::nodes {
 namespace {
@@ -29,12 +28,9 @@ void describe(Describe<In, Out>& d) {
 }
 
 Result<Out> evaluate(const In& in, EvalContext&) {
-  auto map = std::make_shared<shadow::ShadowMap>();
-  map->kind = shadow::ShadowMap::Kind::RayMarch;
-  map->volumes = in.volumes.items;
-  map->stepScale = in.step_scale;
-  Out out{in.light};
-  for (auto& item : out.light.items) item.shadow = map;
+  PILEUS_TRY(const std::vector<scene::Light> lights, lightsOf(in.light));
+  Out out;
+  for (const scene::Light& light : lights) out.light.items.push_back({light, shadow::marchedShadow(light, in.volumes.items, in.solids.items, in.step_scale)});
   return out;
 }
 

@@ -10,6 +10,8 @@
 #include "editor/cli/info.h"
 #include "editor/cli/nodes.h"
 #include "editor/cli/render.h"
+#include "editor/cli/shootout.h"
+#include "editor/cli/tune.h"
 #include "renderer/base/log.h"
 
 namespace pileus::cli {
@@ -93,6 +95,32 @@ int run(int argc, char** argv, const std::function<int(const std::filesystem::pa
   compareCommand->add_option("b", compare.b, "Reference.")->required();
   CLI::Option* bound = compareCommand->add_option("--max-relmse", maxRelMse, "Exit with 6 where relMSE is larger.")->check(CLI::NonNegativeNumber);
 
+  ShootoutArguments shootout;
+  std::string shootoutSize;
+  CLI::App* shootoutCommand = app.add_subcommand("shootout", "Compare every shadow representation on the lights of a graph.");
+  shootoutCommand->add_option("file", shootout.file, "Graph file (.json).")->required();
+  shootoutCommand->add_option("-o,--out", shootout.out, "Folder for shootout.csv and contact-sheet.png; FILE-shootout by default.");
+  shootoutCommand->add_option("--size", shootoutSize, "Size of the pictures, WIDTHxHEIGHT; 320x180 by default.");
+  shootoutCommand->add_option("--samples", shootout.samples, "Samples a pixel.")->check(CLI::Range(1, 4096))->capture_default_str();
+  shootoutCommand->add_option("--resolution", shootout.resolution, "Texels along the edge of a map.")->check(CLI::Range(64, 4096))->capture_default_str();
+  shootoutCommand->add_option("--points", shootout.points, "Points a light is judged at.")->check(CLI::Range(1000, 10000000))->capture_default_str();
+  shootoutCommand->add_option("--render", shootout.render, "Name of the render node, where there are several.");
+  shootoutCommand->add_flag("--overwrite", shootout.overwrite, "Write into a folder that is not empty.");
+
+  TuneArguments tune;
+  CLI::App* tuneCommand = app.add_subcommand("tune", "Find the cheapest shadow parameters that keep a bound, and write them.");
+  tuneCommand->add_option("file", tune.file, "Graph file (.json).")->required();
+  tuneCommand->add_option("-o,--out", tune.out, "Graph file to write.")->required();
+  CLI::Option_group* goals = tuneCommand->add_option_group("bound", "Exactly one of");
+  goals->add_option("--p95", "95th percentile of |dT| on the worst light: least memory is sought.")->check(CLI::PositiveNumber)->each([&](const std::string& v) { tune.goal = {view::TuneBound::P95, std::stod(v)}; });
+  goals->add_option("--ms", "Milliseconds to build all maps and look them up a million times: least error is sought.")->check(CLI::PositiveNumber)->each([&](const std::string& v) { tune.goal = {view::TuneBound::Milliseconds, std::stod(v)}; });
+  goals->add_option("--mib", "MiB of all maps: least error is sought.")->check(CLI::PositiveNumber)->each([&](const std::string& v) { tune.goal = {view::TuneBound::Mebibytes, std::stod(v)}; });
+  goals->require_option(1);
+  tuneCommand->add_option("--points", tune.points, "Points a light is judged at.")->check(CLI::Range(1000, 10000000))->capture_default_str();
+  tuneCommand->add_option("--max-resolution", tune.maxResolution, "Most texels along the edge of a map.")->check(CLI::Range(64, 4096))->capture_default_str();
+  tuneCommand->add_option("--render", tune.render, "Name of the render node, where there are several.");
+  tuneCommand->add_flag("--overwrite", tune.overwrite, "Replace an existing file.");
+
   BenchOptions bench;
   CLI::App* benchCommand = app.add_subcommand("bench", "Measure and print the tables of docs/bench.md.");
   benchCommand->add_option("--data", bench.data, "Folder with test volumes; $PILEUS_TEST_DATA by default.");
@@ -126,6 +154,15 @@ int run(int argc, char** argv, const std::function<int(const std::filesystem::pa
     if (bound->count()) compare.maxRelMse = maxRelMse;
     return compareMain(compare);
   }
+  if (*shootoutCommand) {
+    std::optional<ivec2> given;
+    if (shootoutCommand->count("--size")) {
+      if (const std::string e = parseSize(shootoutSize, given); !e.empty()) return usageError(e);
+      shootout.size = *given;
+    }
+    return shootoutMain(shootout);
+  }
+  if (*tuneCommand) return tuneMain(tune);
   if (*benchCommand) return benchMain(bench);
   return openEditor(editorFile);
 }

@@ -1,0 +1,116 @@
+#include "editor/cli/scene_file.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <thread>
+
+#include "nodes/evaluator.h"
+#include "nodes/serialize.h"
+#include "renderer/view/picture.h"
+
+namespace fs = std::filesystem;
+
+namespace pileus::cli {
+namespace {
+
+volatile sig_atomic_t stopped = 0;
+void onSignal(int) { stopped = 1; }
+
+Result<nodes::Graph> load(const fs::path& file) {
+  PILEUS_TRY(nodes::Loaded loaded, nodes::loadGraph(file));
+  bool bad = false;
+  for (const nodes::Fault& f : loaded.faults) {
+    fmt::print(stderr, "pileus: {}: {}\n", file.string(), nodes::faultText(f));
+    bad |= f.error;
+  }
+  if (bad) return fail(Code::Input, "{}: not measured because of the errors above", file.string());
+  return std::move(loaded.graph);
+}
+
+bool hasLights(const nodes::Graph& graph, const std::string& node) {
+  return std::any_of(graph.links.begin(), graph.links.end(), [&](const nodes::Link& l) { return !l.muted && l.toNode == node && l.toSocket == "lights"; });
+}
+
+Result<std::string> chooseRender(const nodes::Graph& graph, const fs::path& file, const std::string& wanted) {
+  const auto isRender = [&](const std::string& name) {
+    const nodes::Node* n = nodes::findNode(graph, name);
+    return n && n->type == "render.volume";
+  };
+  if (!wanted.empty()) {
+    if (isRender(wanted)) return wanted;
+    return fail(Code::Arguments, "--render: {} has no render.volume node named '{}'", file.string(), wanted);
+  }
+  std::string any;
+  for (const std::string& name : nodes::upstreamOrder(graph, nodes::outputNodes(graph)).order)
+    if (isRender(name)) any = hasLights(graph, name) || any.empty() ? name : any;
+  if (!any.empty() && hasLights(graph, any)) return any;
+  for (const auto& [name, node] : graph.nodes)
+    if (isRender(name) && (any.empty() || hasLights(graph, name))) any = name;
+  if (any.empty()) return fail(Code::Input, "{}: has no render.volume node", file.string());
+  if (!hasLights(graph, any)) return fail(Code::Input, "{}: no light is linked to {}", file.string(), any);
+  return any;
+}
+
+}  // namespace
+
+Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode) {
+  stopped = 0;
+  ::signal(SIGINT, onSignal);
+  ::signal(SIGTERM, onSignal);
+  SceneFile out;
+  PILEUS_TRY(out.graph, load(file));
+  PILEUS_TRY(out.renderNode, chooseRender(out.graph, file, renderNode));
+  PILEUS_TRY(out.context, gl::HeadlessContext::create());
+  PILEUS_TRY(out.renderer, view::Renderer::create());
+  // Only the scene is wanted: one sample of a small picture.
+  nodes::EvalSettings settings;
+  settings.frame = out.graph.settings.frames.x;
+  settings.size = glm::max(out.graph.settings.size / std::max(1, out.graph.settings.size.x / 64), ivec2(1));
+  settings.folder = fs::absolute(file).parent_path();
+  settings.budgetMs = 250;
+  PILEUS_TRY(const nodes::Graph quick, nodes::setParam(out.graph, out.renderNode, "samples", 1));
+  nodes::Evaluator evaluator(out.renderer.get());
+  MeasureProgress progress;
+  for (nodes::EvalReport r; !r.complete;) {
+    if (interrupted()) return fail(Code::Cancelled, "cancelled");
+    r = evaluator.evaluate(quick, {out.renderNode}, settings);
+    progress.show(r.fraction, "Evaluating " + out.renderNode);
+    if (r.waitingForJobs) std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+  progress.finish();
+  for (const auto& [name, node] : out.graph.nodes) {
+    const nodes::NodeStatus& s = evaluator.status(name);
+    for (const std::string& w : s.warnings) fmt::print(stderr, "pileus: warning: {}: {}\n", name, w);
+    if (s.state == nodes::NodeState::Failed) return s.error;
+  }
+  const nodes::SocketValue* value = evaluator.output(out.renderNode, "image");
+  const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
+  if (!image || !image->picture || !image->picture->scene) return fail(Code::Input, "{}: {} gives no picture", file.string(), out.renderNode);
+  out.scene = *image->picture->scene;
+  out.scene.options.size = out.graph.settings.size;
+  const nodes::Node& node = *nodes::findNode(out.graph, out.renderNode);
+  out.scene.options.samples = std::get<int>(nodes::paramValue(node, *nodes::findNodeType(node.type)->param("samples"), settings.frame));
+  if (out.scene.lights.empty()) return fail(Code::Input, "{}: no light reaches {}", file.string(), out.renderNode);
+  if (out.scene.volumes.empty()) return fail(Code::Input, "{}: no volume reaches {}", file.string(), out.renderNode);
+  return out;
+}
+
+bool interrupted() { return stopped != 0; }
+
+bool MeasureProgress::isTerminal() { return ::isatty(2) != 0; }
+
+void MeasureProgress::show(double fraction, const std::string& what) {
+  if (!terminal_ && what == last_) return;
+  last_ = what;
+  if (terminal_) fmt::print(stderr, "\r{:3.0f} %  {}\033[K", 100 * fraction, what);
+  else fmt::print(stderr, "{}\n", what);
+  std::fflush(stderr);
+}
+
+void MeasureProgress::finish() {
+  if (terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace pileus::cli

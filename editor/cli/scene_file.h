@@ -1,0 +1,42 @@
+#pragma once
+// A graph file opened for measuring: the scene of one of its render nodes, without a window.
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "nodes/graph.h"
+#include "renderer/gl/context.h"
+#include "renderer/view/render_scene.h"
+#include "renderer/view/renderer.h"
+
+namespace pileus::cli {
+
+struct SceneFile {
+  std::unique_ptr<gl::HeadlessContext> context;
+  std::unique_ptr<view::Renderer> renderer;
+  nodes::Graph graph;
+  std::string renderNode;
+  view::RenderScene scene;  ///< at the file's first frame; its picture has the size and samples of the file
+};
+
+/// `renderNode` "": the one that feeds an output, else the first by name that has lights. Faults and warnings are printed on standard
+/// error. Error (Input) naming the file: faults, no render node, no lights, no volumes; Error (Arguments): no such node; Error
+/// (Cancelled) on SIGINT and SIGTERM.
+Result<SceneFile> openScene(const std::filesystem::path& file, const std::string& renderNode);
+
+/// Has SIGINT or SIGTERM been received since openScene()?
+bool interrupted();
+
+/// One changing line on a terminal; otherwise a line whenever `what` changes.
+class MeasureProgress {
+ public:
+  void show(double fraction, const std::string& what);
+  void finish();
+
+ private:
+  bool terminal_ = isTerminal();
+  std::string last_;
+  static bool isTerminal();
+};
+
+}  // namespace pileus::cli

@@ -1,0 +1,73 @@
+#include "renderer/view/shadow_measure.h"
+
+#include "renderer/base/profile.h"
+
+namespace pileus::view {
+namespace {
+
+constexpr int kWarmUpResolution = 64;
+
+}  // namespace
+
+std::vector<Caster> casters(const RenderScene& scene) {
+  std::vector<Caster> out;
+  for (const shadow::ShadowedLight& l : scene.lights)
+    out.push_back({int(out.size()), l.light, l.shadow ? l.shadow->volumes : scene.volumes, l.shadow ? l.shadow->solids : scene.solids});
+  return out;
+}
+
+std::unique_ptr<SampleJob> startSampling(std::vector<Caster> casters, const SampleOptions& options) {
+  return std::make_unique<SampleJob>([casters = std::move(casters), options](JobControl& control) -> Result<std::vector<ShadowSamples>> {
+    std::vector<ShadowSamples> out;
+    for (const Caster& c : casters) {
+      auto samples = sampleShadow(c.source, c.volumes, options, control);
+      if (!samples) return fail(samples.error().code, "light {}: {}", c.light + 1, samples.error().message);
+      out.push_back(std::move(samples).value());
+    }
+    return out;
+  });
+}
+
+MeasurePass::MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, const ShadowSamples& samples, int dispatches)
+    : caster_(caster), samples_(samples), dispatches_(dispatches) {
+  measure_.light = caster.light;
+  measure_.spec = spec;
+  if (spec.kind == shadow::ShadowSpec::Kind::RayMarch) {
+    map_ = shadow::marchedShadow(caster.source, caster.volumes, caster.solids, spec.stepScale);
+    return;
+  }
+  if (dispatches > 0) warmUp_ = makePass(kWarmUpResolution);
+  pass_ = makePass(shadow::resolutionOf(spec));
+}
+
+std::unique_ptr<shadow::ShadowPass> MeasurePass::makePass(int resolution) const {
+  return std::make_unique<shadow::ShadowPass>(shadow::withResolution(measure_.spec, resolution), caster_.source, caster_.volumes, caster_.solids);
+}
+
+Result<double> MeasurePass::step(const shadow::Gpu& gpu, double ms) {
+  if (warmUp_) {
+    PILEUS_TRY(const double done, warmUp_->step(gpu, ms));
+    if (done < 1) return 0.2 * done;
+    warmUp_.reset();
+    return 0.2;
+  }
+  if (pass_) {
+    glFinish();
+    const Stopwatch clock;
+    PILEUS_TRY(const double done, pass_->step(gpu, ms));
+    glFinish();
+    measure_.buildMs += clock.ms();
+    if (done < 1) return 0.2 + 0.6 * done;
+    map_ = pass_->map();
+    pass_.reset();
+    return 0.8;
+  }
+  PILEUS_TRY(const ProbeResult result, probe(gpu, *map_, samples_, dispatches_));
+  measure_.error = result.error;
+  measure_.nsPerLookup = result.nsPerLookup;
+  measure_.bytes = map_->bytes();
+  measure_.bytesPerTexel = map_->bytesPerTexel();
+  return 1.0;
+}
+
+}  // namespace pileus::view

@@ -1,0 +1,30 @@
+#pragma once
+// How wrong a finished shadow is, and what a lookup costs: lookupTau on the GPU at points of known transmittance. GL thread.
+#include <span>
+
+#include "renderer/shadow/gpu.h"
+#include "renderer/shadow/shadow_map.h"
+#include "renderer/view/shadow_samples.h"
+
+namespace pileus::view {
+
+/// Of dT = T of the map - true T, over the points.
+struct ShadowError {
+  double mean = 0, p95 = 0, maximum = 0;  ///< of |dT|
+  double bias = 0;                        ///< mean of dT: above 0 light leaks
+};
+
+/// Optical depth from the light to each position (world; w unused). At once, however many they are.
+Result<std::vector<float>> lookupTau(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions);
+
+ShadowError shadowError(std::span<const float> tau, std::span<const double> transmittance);
+
+struct ProbeResult {
+  ShadowError error;
+  double nsPerLookup = 0;  ///< 0: not timed
+};
+/// Both. Timed: median of `dispatches` dispatches that take 20 ms each or more, waited for; neighbouring points lie on one light ray,
+/// rays in random order.
+Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples, int dispatches = 5);
+
+}  // namespace pileus::view

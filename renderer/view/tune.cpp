@@ -1,0 +1,335 @@
+#include "renderer/view/tune.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "renderer/base/profile.h"
+#include "renderer/view/tune_model.h"
+
+namespace pileus::view {
+namespace {
+
+using shadow::ShadowSpec;
+using Kind = ShadowSpec::Kind;
+
+constexpr int kDispatches = 3;
+constexpr int kTries = 16;        ///< for a first one that meets the bound
+constexpr int kCheaperTries = 8;  ///< for a better one
+constexpr int kCurvePoints = 8;
+constexpr double kHorizon = 6;    ///< optical depth (docs/physics.md)
+constexpr double kSafe = 0.9, kHopeful = 1.1, kLastHope = 2.0;  ///< expected p95 over the bound
+
+bool hasMetric(const ShadowSpec& s) { return s.kind == Kind::Extinction && s.metric.metric != shadow::Metric::None; }
+
+double costOf(const TuneCandidate& c, TuneBound bound) {
+  return bound == TuneBound::Milliseconds ? c.ms() : double(c.bytes) / (1 << 20);
+}
+
+TunePoint pointOf(const TuneCandidate& c) { return {c.spec, c.p95, c.buildMs, c.nsPerLookup, double(c.bytes)}; }
+
+std::vector<ShadowSpec> extinctionConfigurations(const ShadowSpec& like, bool horizon) {
+  std::vector<ShadowSpec> out;
+  for (const shadow::Storage storage : {shadow::Storage::Half, shadow::Storage::Float})
+    for (const double depth : {0.0, kHorizon})
+      for (const shadow::Weighting weighting : {shadow::Weighting::None, shadow::Weighting::Root})
+        for (const int intervals : {1, 2, 4, 8})
+          for (const shadow::Basis basis : {shadow::Basis::Cosine, shadow::Basis::Slab})
+            for (const int n : {4, 8, 12, 16, 24, 32}) {
+              ShadowSpec s = like;
+              s.extinction.basis = basis;
+              s.extinction.coefficients = n;
+              s.extinction.storage = storage;
+              s.extinction.damping = false;
+              if (hasMetric(like)) {
+                if ((depth > 0 && !horizon) || (weighting == shadow::Weighting::Root && intervals == 1)) continue;
+                s.metric.metric = shadow::Metric::Interval;
+                s.metric.intervals = intervals;
+                s.metric.weighting = weighting;
+                s.metric.horizon = depth;
+                s.metric.storage = storage;
+              } else if (depth > 0 || weighting == shadow::Weighting::Root || intervals != 8) {
+                continue;
+              }
+              out.push_back(s);
+            }
+  return out;
+}
+
+}  // namespace
+
+bool meets(const TuneCandidate& c, const TuneGoal& goal) {
+  return (goal.bound == TuneBound::P95 ? c.p95 : costOf(c, goal.bound)) <= goal.limit;
+}
+
+std::vector<ShadowSpec> tuneConfigurations(const ShadowSpec& like, bool horizon) {
+  if (like.kind == Kind::Extinction) return extinctionConfigurations(like, horizon);
+  std::vector<ShadowSpec> out;
+  ShadowSpec s = like;
+  s.damping = false;
+  if (like.kind == Kind::Deep) {
+    for (const double bound : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) s.errorBound = bound, out.push_back(s);
+  } else if (like.kind != Kind::RayMarch) {
+    for (const int n : {3, 7, 11, 15, 23, 31})
+      for (const bool other : {false, true}) {
+        s.coefficients = n;
+        if (like.kind == Kind::FourierOpacity) s.range = other;
+        else s.basis = other ? shadow::Basis::Cosine : shadow::Basis::Fourier;
+        out.push_back(s);
+      }
+  }
+  return out;
+}
+
+struct Tuner::Impl {
+  std::vector<Caster> casters;
+  ShadowSpec like;
+  TuneGoal goal;
+  TuneOptions options;
+  std::unique_ptr<SampleJob> sampling;
+  std::vector<ShadowSamples> samples;
+  std::vector<TuneCandidate> measured;
+
+  enum class Stage { Resolution, Configurations, Search, Curve, Done } stage = Stage::Resolution;
+  std::vector<ShadowSpec> configurations, queue;  ///< the queue is worked off from the back
+  std::vector<int> resolutions;
+  TuneModel model;
+  int coarse = 256, tries = 0, cheaperTries = 0, lastTries = 0;
+  std::size_t planned = 0;
+
+  TuneCandidate candidate;  ///< at work: its lights one after the other
+  std::size_t light = 0;
+  std::unique_ptr<MeasurePass> measuring;
+
+  bool tried(const ShadowSpec& spec) const {
+    return std::any_of(measured.begin(), measured.end(), [&](const TuneCandidate& c) { return c.spec == spec; });
+  }
+
+  /// The accurate end of the grid: half, even weights, no horizon.
+  ShadowSpec accurate() const {
+    ShadowSpec s = configurations.front();
+    for (const ShadowSpec& c : configurations) {
+      if (s.kind == Kind::Extinction) {
+        if (c.extinction.storage == shadow::Storage::Half && c.extinction.basis == shadow::Basis::Cosine && c.extinction.coefficients == 32 &&
+            c.metric.intervals == (hasMetric(c) ? 8 : c.metric.intervals) && c.metric.weighting == shadow::Weighting::None && c.metric.horizon == 0)
+          s = c;
+      } else {
+        s = c;  // the last one
+      }
+    }
+    return s;
+  }
+
+  /// Configurations the model needs measured; the others lie between them.
+  bool anchors(const ShadowSpec& c) const {
+    if (c.kind != Kind::Extinction) return true;
+    const int n = c.extinction.coefficients;
+    if (n == 12 || n == 24) return false;
+    const bool best = n == 32 && c.extinction.basis == shadow::Basis::Cosine, all = !hasMetric(c) || c.metric.intervals == 8;
+    if (c.extinction.storage == shadow::Storage::Float) return best && all && c.metric.weighting == shadow::Weighting::None && c.metric.horizon == 0;
+    return all || (best && c.metric.horizon == 0);
+  }
+
+  Result<void> plan(const shadow::Gpu& gpu) {
+    bool dense = false;
+    for (const ShadowSamples& s : samples)
+      dense |= std::any_of(s.transmittance.begin(), s.transmittance.end(), [](double t) { return t < std::exp(-kHorizon); });
+    configurations = tuneConfigurations(like, dense);
+    if (configurations.empty()) return fail(Code::Input, "a ray-marched shadow has no parameters to tune");
+    for (int r = options.minResolution; r <= options.maxResolution; r *= 2) resolutions.push_back(r);
+    coarse = std::clamp(gpu.device.software ? 256 : 512, options.minResolution, options.maxResolution);
+    for (const int r : {coarse / 2, coarse, coarse * 2}) queue.push_back(shadow::withResolution(accurate(), r));
+    planned = queue.size() + std::size_t(std::count_if(configurations.begin(), configurations.end(), [&](const auto& c) { return anchors(c); })) +
+              kCheaperTries + kCurvePoints;
+    return {};
+  }
+
+  /// Every configuration at every resolution that is left to try, as expected.
+  std::vector<TunePoint> expected() const {
+    std::vector<TunePoint> out;
+    for (const ShadowSpec& c : configurations)
+      for (const int r : resolutions) {
+        const ShadowSpec spec = shadow::withResolution(c, r);
+        if (tried(spec)) continue;
+        if (const auto p = model.expect(spec)) out.push_back(*p);
+      }
+    return out;
+  }
+
+  std::optional<TuneCandidate> best() const {
+    std::optional<TuneCandidate> out;
+    const auto better = [&](const TuneCandidate& a, const TuneCandidate& b) {
+      return goal.bound == TuneBound::P95 ? std::pair(double(a.bytes), a.p95) < std::pair(double(b.bytes), b.p95)
+                                          : std::pair(a.p95, double(a.bytes)) < std::pair(b.p95, double(b.bytes));
+    };
+    for (const TuneCandidate& c : measured)
+      if (meets(c, goal) && (!out || better(c, *out))) out = c;
+    return out;
+  }
+
+  std::optional<ShadowSpec> nextForP95() {
+    const auto found = best();
+    const auto all = expected();
+    const TunePoint* pick = nullptr;
+    const auto cheapest = [&](double upTo) {
+      for (const TunePoint& p : all)
+        if (p.p95 <= upTo && (!found || p.bytes < double(found->bytes)) && (!pick || p.bytes < pick->bytes)) pick = &p;
+    };
+    if (!found && tries < kTries) {
+      cheapest(kSafe * goal.limit);
+      ++tries;
+    }
+    if (found && cheaperTries < kCheaperTries) {
+      cheapest(kHopeful * goal.limit);
+      ++cheaperTries;
+    }
+    if (!found && !pick && lastTries < 4) {  // the most accurate ones, before it is said that none will do
+      for (const TunePoint& p : all)
+        if (p.p95 <= kLastHope * goal.limit && (!pick || p.p95 < pick->p95)) pick = &p;
+      ++lastTries;
+    }
+    return pick ? std::optional(pick->spec) : std::nullopt;
+  }
+
+  std::optional<ShadowSpec> nextForCost() {
+    if (tries++ == kTries) return std::nullopt;
+    const auto found = best();
+    const auto all = expected();
+    const TunePoint* pick = nullptr;
+    for (const TunePoint& p : all) {
+      const double cost = goal.bound == TuneBound::Milliseconds ? p.buildMs + p.nsPerLookup : p.bytes / (1 << 20);
+      if (cost <= goal.limit && (!pick || std::pair(p.p95, p.bytes) < std::pair(pick->p95, pick->bytes))) pick = &p;
+    }
+    if (!pick || (found && pick->p95 > kHopeful * found->p95)) return std::nullopt;
+    return pick->spec;
+  }
+
+  /// The expected front at every doubling of memory, up to 8 times what the goal takes.
+  void queueCurve() {
+    auto all = expected();
+    for (const TuneCandidate& c : measured) all.push_back(pointOf(c));
+    std::sort(all.begin(), all.end(), [](const TunePoint& a, const TunePoint& b) { return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95); });
+    const auto found = best();
+    const double largest = found ? 8.0 * double(found->bytes) : 64.0 * (1 << 20);
+    double least = std::numeric_limits<double>::infinity(), before = 0;
+    for (const TunePoint& p : all) {
+      if (p.p95 >= 0.98 * least || p.bytes > largest) continue;
+      least = p.p95;
+      if (tried(p.spec)) before = p.bytes;
+      if (tried(p.spec) || p.bytes < 1.6 * before || queue.size() == kCurvePoints) continue;
+      before = p.bytes;
+      queue.push_back(p.spec);
+    }
+    std::reverse(queue.begin(), queue.end());
+  }
+
+  /// What to measure next; nothing: finished.
+  std::optional<ShadowSpec> next() {
+    if (stage == Stage::Resolution && queue.empty()) {
+      std::vector<TunePoint> points;
+      for (const TuneCandidate& c : measured) points.push_back(pointOf(c));
+      model.fitResolution(points);
+      for (const TunePoint& p : points) model.add(p);
+      for (const ShadowSpec& c : configurations)
+        if (anchors(c) && !tried(shadow::withResolution(c, coarse))) queue.push_back(shadow::withResolution(c, coarse));
+      stage = Stage::Configurations;
+    }
+    if (stage == Stage::Configurations && queue.empty()) stage = Stage::Search;
+    if (stage == Stage::Search) {
+      if (auto spec = goal.bound == TuneBound::P95 ? nextForP95() : nextForCost()) return spec;
+      queueCurve();
+      stage = Stage::Curve;
+    }
+    if (stage == Stage::Curve && queue.empty()) stage = Stage::Done;
+    if (queue.empty()) return std::nullopt;
+    const ShadowSpec spec = queue.back();
+    queue.pop_back();
+    return spec;
+  }
+
+  Result<void> stepMeasure(const shadow::Gpu& gpu, double ms) {
+    if (!measuring) measuring = std::make_unique<MeasurePass>(candidate.spec, casters[light], samples[light], kDispatches);
+    PILEUS_TRY(const double done, measuring->step(gpu, ms));
+    if (done < 1) return {};
+    const ShadowMeasure& m = measuring->measure();
+    candidate.bytes += m.bytes;
+    candidate.p95 = std::max(candidate.p95, m.error.p95);
+    candidate.mean = std::max(candidate.mean, m.error.mean);
+    candidate.buildMs += m.buildMs;
+    candidate.nsPerLookup += m.nsPerLookup;
+    measuring.reset();
+    if (++light < casters.size()) return {};
+    light = 0;
+    measured.push_back(candidate);
+    if (stage != Stage::Resolution) model.add(pointOf(candidate));
+    candidate = {};
+    busy = false;
+    return {};
+  }
+  bool busy = false;  ///< `candidate` is being measured
+};
+
+Tuner::Tuner(std::vector<Caster> casters, const ShadowSpec& like, const TuneGoal& goal, const TuneOptions& options) : impl_(std::make_unique<Impl>()) {
+  impl_->casters = std::move(casters);
+  impl_->like = like;
+  impl_->goal = goal;
+  impl_->options = options;
+}
+
+Tuner::~Tuner() = default;
+
+Result<double> Tuner::step(const shadow::Gpu& gpu, double ms) {
+  const Stopwatch clock;
+  Impl& s = *impl_;
+  if (s.casters.empty()) return fail(Code::Input, "there is no light to tune");
+  if (s.samples.empty()) {
+    if (!s.sampling) s.sampling = startSampling(s.casters, s.options.points);
+    while (!s.sampling->done()) {
+      if (clock.ms() >= ms) return 0.0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (!s.sampling->result()) return s.sampling->result().error();
+    s.samples = *s.sampling->result();
+    s.sampling.reset();
+    PILEUS_CHECK(s.plan(gpu));
+  }
+  do {
+    if (!s.busy) {
+      const auto spec = s.next();
+      if (!spec) return 1.0;
+      s.candidate.spec = *spec;
+      s.busy = true;
+    }
+    PILEUS_CHECK(s.stepMeasure(gpu, std::max(ms - clock.ms(), 1.0)));
+  } while (clock.ms() < ms);
+  return std::min(double(s.measured.size()) / double(s.planned + 1), 0.99);
+}
+
+const std::vector<TuneCandidate>& Tuner::measured() const { return impl_->measured; }
+
+std::vector<TuneCandidate> Tuner::curve() const {
+  std::vector<TuneCandidate> all = impl_->measured, out;
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95); });
+  for (const TuneCandidate& c : all)
+    if (out.empty() || c.p95 < out.back().p95) out.push_back(c);
+  return out;
+}
+
+std::optional<TuneCandidate> Tuner::best() const { return impl_->best(); }
+
+std::optional<TuneCandidate> Tuner::nearest() const {
+  const auto measure = [this](const TuneCandidate& c) { return impl_->goal.bound == TuneBound::P95 ? c.p95 : costOf(c, impl_->goal.bound); };
+  const auto& all = impl_->measured;
+  const auto least = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return measure(a) < measure(b); });
+  return least == all.end() ? std::nullopt : std::optional(*least);
+}
+
+std::string Tuner::doing() const {
+  const Impl& s = *impl_;
+  if (s.samples.empty()) return "Sampling light rays";
+  if (s.stage == Impl::Stage::Done) return "Done";
+  return fmt::format("{}, {} texels", shadow::describe(s.candidate.spec), shadow::resolutionOf(s.candidate.spec));
+}
+
+}  // namespace pileus::view

@@ -1,7 +1,7 @@
 // Pictures with exact answers: single scattering in a homogeneous slab, lit along its normal, by map and by march.
 #include <cmath>
 
-#include "tests/support/gpu.h"
+#include "tests/support/lit.h"
 
 namespace pileus {
 namespace {
@@ -94,6 +94,69 @@ TEST(SingleScattering, OverlapIsTheSumOfExtinctions) {
     EXPECT_NEAR(centre(a, 0), centre(b, 0), 2e-3 * centre(b, 0)) << copies;
     EXPECT_NEAR(centre(a, 3), centre(b, 3), 1e-4) << copies;
   }
+}
+
+/// L of one camera ray through a homogeneous box under a point or spot light, by a fine midpoint rule in double precision.
+double scatteredTowards(const volume::Instance& medium, const scene::Light& light, const dvec3& eye, const dvec3& d) {
+  const dmat4 local = glm::inverse(medium.worldFromLocal);
+  const auto inside = [&](const dvec3& o, const dvec3& along) {
+    const auto hit = intersectBox(dvec3(local * dvec4(o, 1)), dvec3(local * dvec4(along, 0)), dvec3(-0.5), dvec3(0.5));
+    return hit ? dvec2(std::max(hit->x, 0.0), std::max(hit->y, 0.0)) : dvec2(0);
+  };
+  const dvec2 span = inside(eye, d);
+  const double sigma = medium.medium.extinction, g = medium.medium.anisotropy;
+  const int n = 200000;
+  const double ds = (span.y - span.x) / n;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double t = span.x + (i + 0.5) * ds;
+    const dvec3 p = eye + t * d;
+    const scene::Incidence e = scene::incidence(light, p);
+    const dvec2 way = inside(p, e.towards);
+    const double tau = sigma * (std::min(way.y, e.distance) - std::min(way.x, e.distance) + t - span.x);
+    const double cosine = glm::dot(e.towards, d), q = 1 + g * g - 2 * g * cosine;
+    sum += e.falloff * std::exp(-tau) * (1 - g * g) / (4 * kPi * q * std::sqrt(q));
+  }
+  return sum * ds * sigma * double(medium.medium.albedo.x) * double(light.emitted.x);
+}
+
+TEST(SingleScattering, PointAndSpotLightsAgreeWithTheIntegral) {
+  volume::Instance medium = test::box({0, 0, 0}, {4, 3, 5}, 0.6);
+  medium.medium.albedo = vec3(float(kAlbedo));
+  medium.medium.anisotropy = 0.4;
+  const volume::InstanceList volumes{medium};
+  const struct {
+    const char* what;
+    scene::Light light;
+  } lights[] = {{"inside", test::pointAt({0.6, 0.4, 0.3}, 30)},
+                {"outside", test::pointAt({-3, 2.5, 1}, 100)},
+                {"on a face", test::pointAt({2, 0, 0}, 30)},
+                {"spot", test::spotAt({0.5, 4, 0.2}, {0, 0, 0}, 40, 0.6)}};
+  const dvec3 eyes[] = {{0, 0.2, 12}, {9, 3, -7}, {-0.5, -0.7, 0.2}};  // the last one in the medium
+  for (const auto& l : lights)
+    for (const auto kind : {shadow::ShadowSpec::Kind::RayMarch, shadow::ShadowSpec::Kind::Extinction}) {
+      shadow::ShadowSpec spec;
+      spec.kind = kind;
+      const auto light = test::shadowed(l.light, shadow::withResolution(spec, 128), volumes);
+      double worst = 0;
+      for (const dvec3& eye : eyes)
+        for (const dvec3& target : {dvec3(0, 0, 0), dvec3(0.9, -0.2, 1), dvec3(-1, 0.6, -1)}) {
+          view::RenderOptions o;
+          o.size = ivec2(33, 33);
+          o.samples = 1;
+          o.stepScale = 0.25;
+          o.camera = {eye, target, {0, 1, 0}, 0.01};
+          const double have = centre(test::render(o, volumes, {light}), 0);
+          const double want = scatteredTowards(medium, l.light, eye, glm::normalize(target - eye));
+          if (want == 0) {  // past the cone
+            EXPECT_EQ(have, 0) << l.what;
+            continue;
+          }
+          worst = std::max(worst, std::abs(have / want - 1));
+          EXPECT_NEAR(have / want, 1, kind == shadow::ShadowSpec::Kind::RayMarch ? 1e-4 : 1.5e-3) << l.what << ", eye " << eye.x << ", target " << target.x;
+        }
+      std::printf("light %s, %s: off by at most %.5f of the integral\n", l.what, shadow::describe(spec).c_str(), worst);
+    }
 }
 
 TEST(SingleScattering, NothingLinkedIsBlackAndTransparent) {

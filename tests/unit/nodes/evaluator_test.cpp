@@ -93,7 +93,7 @@ TEST(Evaluator, SunAndCameraMeanWhatTheyDeclare) {
   Fixture f;
   const Graph graph =
       parsed(R"("Sun": {"type": "light.sun", "params": {"azimuth": 90, "elevation": 0, "irradiance": 4,
-      "color": [1, 0.5, 0.25], "use_temperature": true, "angle": 0.53}},
+      "color": [1, 0.5, 0.25], "use_temperature": true, "angle": 0.53, "disc_samples": 1}},
       "Cam": {"type": "camera.perspective", "params": {"eye": [0, 1, 9], "fov": 25}}, "Bad": {"type": "camera.perspective",
       "params": {"eye": [0, 0, 0]}})",
              "");

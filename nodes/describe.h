@@ -33,7 +33,8 @@ constexpr SocketType socketType() {
 template <class M>
 void assignSocket(M& member, const SocketValue& value) {
   if (const M* v = std::get_if<M>(&value)) {
-    if constexpr (requires { member.items; }) member.items.insert(member.items.end(), v->items.begin(), v->items.end());
+    if constexpr (std::is_same_v<M, MetricValue>) member = *v;  // its solids belong to its maps
+    else if constexpr (requires { member.items; }) member.items.insert(member.items.end(), v->items.begin(), v->items.end());
     else member = *v;
   }
 }

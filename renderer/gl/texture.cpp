@@ -8,7 +8,7 @@ std::size_t texelBytes(GLenum format) {
   switch (format) {
     case GL_R8: return 1;
     case GL_R16: case GL_R16F: return 2;
-    case GL_RGBA8: case GL_R32F: return 4;
+    case GL_RGBA8: case GL_R32F: case GL_RG16F: return 4;
     case GL_RGBA16: case GL_RGBA16F: case GL_RG32F: return 8;
     case GL_RGB32F: return 12;
     default: return 16;

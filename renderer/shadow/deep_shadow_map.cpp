@@ -18,7 +18,7 @@ DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light
 }
 
 Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
-  gl::Defines defines = orderedMarchDefines(pass_);
+  gl::Defines defines = orderedMarchDefines(pass_, 1);
   defines.insert(defines.end(), {{"FILL", fill}, {"FILTER", std::clamp(map_->spec.filter, 1, 4)}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/deep_map.comp.glsl"}, defines));
   program->use();

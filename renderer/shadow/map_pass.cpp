@@ -58,9 +58,9 @@ std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instan
   return out;
 }
 
-gl::Defines orderedMarchDefines(const MapPass& pass) {
+gl::Defines orderedMarchDefines(const MapPass& pass, int halves) {
   constexpr int kInRegisters = 4;
-  return {{"SHAPES", pass.shapes()}, {"ACTIVE", std::clamp(pass.longestList(), 1, kInRegisters)}, {"OVERFLOW", pass.longestList() > kInRegisters}};
+  return {{"SHAPES", pass.shapes()}, {"ACTIVE", std::clamp(pass.longestList(), 1, kInRegisters)}, {"OVERFLOW", pass.longestList() > kInRegisters}, {"STEP_HALVES", halves}};
 }
 
 MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution, int softwareEdge)

@@ -53,8 +53,8 @@ class MapPass {
   bool ready_ = false;
 };
 
-/// Variant constants of lib/ordered_march.glsl for this pass's volumes (after prepare() said 1).
-gl::Defines orderedMarchDefines(const MapPass& pass);
+/// Variant constants of lib/ordered_march.glsl for this pass's volumes (after prepare() said 1); steps of `halves` half voxels.
+gl::Defines orderedMarchDefines(const MapPass& pass, int halves);
 
 /// Texels of the tall map each instance may touch, face by face: entry f * n + i is instance i on face f.
 std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances, const LightFrustum& frustum, int resolution, int faceStride);

@@ -20,6 +20,6 @@ MapTexel mapTexel(ivec2 tall) {
   return m;
 }
 
-MapTexel mapTexel() { return mapTexel(regionOrigin + ivec2(gl_GlobalInvocationID.xy)); }
+MapTexel mapTexelOf(uvec2 thread) { return mapTexel(regionOrigin + ivec2(thread)); }
 vec2 texelUv(MapTexel m) { return (vec2(m.texel) + 0.5) / float(mapEdge); }
 float footprintAt(float metres) { return footprint + footprintAngle * (lights[0].extent.z + max(metres, 0.0)); }

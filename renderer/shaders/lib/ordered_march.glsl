@@ -1,5 +1,5 @@
 // Steps through all volumes on one light ray in order, as the representations need that store transmittance itself.
-// Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one).
+// Variant constants: STEP_HALVES (steps of that many half voxels), ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one).
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
@@ -43,7 +43,7 @@ bool nextStretch(inout OrderedMarch m) {
     m.count += inside ? 1 : 0;
   }
   bool more = m.next < 1e30;
-  m.n = more && m.count > 0 ? int(clamp(ceil((m.next - m.t) / ds), 1.0, 8192.0)) : 0;
+  m.n = more && m.count > 0 ? int(clamp(ceil((m.next - m.t) / (ds * 0.5 * float(STEP_HALVES))), 1.0, 8192.0)) : 0;
   m.ds = (m.next - m.t) / float(max(m.n, 1));
   m.i = 0;
   return more;

@@ -103,7 +103,7 @@ float deepTransmittance(int base, ivec2 texel, int edge, int face, float x) {
     hi = behind ? hi : max(middle - 1, lo);
   } while (lo < hi);
   vec2 a = deepVertex(first + lo), b = deepVertex(first + min(lo + 1, int(header.y) - 1));
-  return mix(a.y, b.y, clamp((x - a.x) / max(b.x - a.x, 1e-9), 0.0, 1.0));
+  return clamp(mix(a.y, b.y, clamp((x - a.x) / max(b.x - a.x, 1e-9), 0.0, 1.0)), 0.0, 1.0);  // within its bound a vertex may lie outside
 }
 
 // Transmittances of the four texels are blended, never vertices.

@@ -15,12 +15,12 @@ const int kRays = FILTER * FILTER;
 const int kMaxDoublings = 12;
 
 // The compressor: last vertex, window of slopes, last point seen.
-float lastX, lastT, slopeLow, slopeHigh, seenX, bound;
-int kept, raw, firstVertex;
+float lastX = 0.0, lastT = 1.0, slopeLow = -1e30, slopeHigh = 1e30, seenX = 0.0, bound = 0.0;
+int kept = 0, raw = 0, firstVertex = 0;
 
 void emit(float x, float T) {
 #if FILL
-  imageStore(vertices, blockFirst + firstVertex + kept, uvec4(floatBitsToUint(x), floatBitsToUint(clamp(T, 0.0, 1.0)), 0u, 0u));
+  imageStore(vertices, blockFirst + firstVertex + kept, uvec4(floatBitsToUint(x), floatBitsToUint(T), 0u, 0u));
 #endif
   ++kept;
   lastX = x, lastT = T;
@@ -32,7 +32,9 @@ void addPoint(float x, float T) {
   ++raw;
   float d = x - lastX, lo = max(slopeLow, (T - bound - lastT) / d), hi = min(slopeHigh, (T + bound - lastT) / d);
   if (lo > hi) {
-    emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
+    // Of all slopes that keep the bound the one nearest to where the function goes: the next line gets further than from the middle.
+    bool above = (T - bound - lastT) / d > slopeHigh;
+    emit(seenX, lastT + (above ? slopeHigh : slopeLow) * (seenX - lastX));
     d = x - lastX;
     lo = (T - bound - lastT) / d, hi = (T + bound - lastT) / d;
   }
@@ -78,7 +80,7 @@ void compress(MapTexel mt) {
 }
 
 void main() {
-  MapTexel mt = mapTexel();
+  MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   uvec4 count = uvec4(0u);
 #if FILL

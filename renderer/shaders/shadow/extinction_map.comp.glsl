@@ -16,7 +16,7 @@ layout(rg16f, binding = IMAGE_TARGET + 1) writeonly uniform image2DArray horizon
 #endif
 
 void main() {
-  MapTexel mt = mapTexel();
+  MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   BlockRecord block = lights[0].coefficients;
   vec2 uv = texelUv(mt);

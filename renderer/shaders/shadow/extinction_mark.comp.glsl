@@ -10,7 +10,7 @@ layout(rgba16f, binding = IMAGE_TARGET) uniform image2DArray target;
 #endif
 
 void main() {
-  MapTexel mt = mapTexel();
+  MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   BlockRecord block = lights[0].coefficients;
   vec2 uv = texelUv(mt);

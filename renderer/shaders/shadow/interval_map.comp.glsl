@@ -80,7 +80,7 @@ void probe(ivec2 range, float a[INTERVALS + 1], float b[INTERVALS + 1], int coun
 #endif
 
 void main() {
-  MapTexel mt = mapTexel();
+  MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   BlockRecord block = lights[0].metric;
   MapRay ray = mapRay(0, mt.face, texelUv(mt), float(mapEdge));

@@ -9,7 +9,7 @@ layout(rgba16f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
 #endif
 
 void main() {
-  MapTexel mt = mapTexel();
+  MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   MapRay ray = mapRay(0, mt.face, texelUv(mt), float(mapEdge));
   OrderedMarch march = beginMarch(ray, tileRange(mt.tall));

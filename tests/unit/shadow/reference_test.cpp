@@ -376,7 +376,9 @@ TEST(Reference, RatioTrackingAgreesWithinItsNoise) {
 TEST(Reference, SmokeMatchesBruteForce) {
   PILEUS_NEEDS_DATA();
   JobControl control;
-  const auto imported = volume::importVdb(*test::dataFolder() / "vdb" / "smoke1.vdb", "", control);
+  volume::ImportLimits limits;
+  limits.executable = PILEUS_BINARY;
+  const auto imported = volume::importVdb(*test::dataFolder() / "vdb" / "smoke1.vdb", "", control, limits);
   ASSERT_TRUE(imported) << imported.error().message;
   const Instance smoke = placed(imported->grid, imported->grid->worldFromIndex, 0.5);
   const Box3 box = volume::worldBounds(smoke);

@@ -4,41 +4,9 @@
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/view/camera_rays.h"
 
 namespace pileus::view {
-namespace {
-
-/// Pixels each instance may touch; the whole picture where a corner is beside or behind the eye.
-std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance> instances, const RenderOptions& o) {
-  const glm::dmat3 axes = scene::basis(o.camera);
-  const double th = std::tan(glm::radians(o.camera.fov) / 2), tw = th * o.size.x / o.size.y;
-  std::vector<residency::PixelBounds> out;
-  for (const volume::Instance& i : instances) {
-    const Box3 local = volume::localBounds(i);
-    dvec2 lo(1e9), hi(-1e9);
-    bool near = false, front = false;
-    for (int c = 0; c < 8; ++c) {
-      const dvec3 p = glm::transpose(axes) * (dvec3(i.worldFromLocal * dvec4(local.corner(c), 1.0)) - o.camera.eye);
-      const double depth = -p.z;
-      front |= depth > 0;
-      if (depth < 1e-9 * glm::length(p) + 1e-12) {
-        near = true;
-        continue;
-      }
-      const dvec2 ndc(p.x / (depth * tw), -p.y / (depth * th));
-      lo = glm::min(lo, ndc), hi = glm::max(hi, ndc);
-    }
-    if (near) out.push_back(front ? residency::PixelBounds{ivec2(0), o.size} : residency::PixelBounds{});
-    else {
-      const dvec2 size(o.size);
-      out.push_back({ivec2(glm::floor(glm::clamp((lo * 0.5 + 0.5) * size - 1.0, dvec2(-1), size + 1.0))),
-                     ivec2(glm::ceil(glm::clamp((hi * 0.5 + 0.5) * size + 1.0, dvec2(-1), size + 1.0)))});
-    }
-  }
-  return out;
-}
-
-}  // namespace
 
 VolumeRenderPass::VolumeRenderPass(RenderScene scene)
     : scene_(std::make_shared<const RenderScene>(std::move(scene))), lights_(scene_->lights, scene_->volumes, scene_->solids) {}
@@ -88,20 +56,11 @@ Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   program->use();
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);
-  const scene::Camera& camera = o.camera;
-  const glm::dmat3 axes = scene::basis(camera);
-  const double th = std::tan(glm::radians(camera.fov) / 2);
-  program->set("eye", vec3(camera.eye));
-  program->set("right", vec3(axes[0] * th * (double(o.size.x) / o.size.y)));
-  program->set("up", vec3(axes[1] * th));
-  program->set("back", vec3(axes[2]));
-  program->set("pixelAngle", float(2 * th / o.size.y));
-  program->set("stepScale", float(o.stepScale));
+  setCameraRays(*program, o);
   program->set("lightCount", std::max(lights, 1));
   program->set("solidCount", int(lights_.drawnSolids()));
   program->set("sampleIndex", picture_->samples);
   program->set("samples", o.samples);
-  program->set("size", o.size);
   program->set("regionOrigin", cursor_.origin());
   program->set("regionEnd", cursor_.end());
   glBindImageTexture(IMAGE_TARGET, picture_->color.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);

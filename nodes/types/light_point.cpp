@@ -19,8 +19,10 @@ struct Out {
 
 void describe(Describe<In, Out>& d) {
   d.name("Point Light").category("Light").keywords("lamp bulb omni local flash lightning");
-  d.help("A light at one place that shines evenly in all directions; it may stand inside a volume. Irradiance falls "
-         "with the square of the distance.");
+  d.help(
+      "A light at one place that shines evenly in all directions; it may stand inside a volume. Irradiance "
+      "falls "
+      "with the square of the distance.");
   d.in("position", &In::position).unit("m").range(-1e7, 1e7).soft(-20, 20).help("Where it stands.");
   d.in("intensity", &In::intensity)
       .unit("W/sr")

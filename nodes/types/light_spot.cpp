@@ -22,18 +22,30 @@ struct Out {
 
 void describe(Describe<In, Out>& d) {
   d.name("Spot Light").category("Light").keywords("cone beam stage lamp headlight projector local");
-  d.help("A light at one place that shines into a cone about the line to its target. Irradiance falls with the square "
-         "of the distance.");
+  d.help(
+      "A light at one place that shines into a cone about the line to its target. Irradiance falls with the "
+      "square "
+      "of the distance.");
   d.in("position", &In::position).unit("m").range(-1e7, 1e7).soft(-20, 20).help("Where it stands.");
-  d.in("target", &In::target).unit("m").range(-1e7, 1e7).soft(-20, 20).help("What the middle of the cone meets.");
+  d.in("target", &In::target)
+      .unit("m")
+      .range(-1e7, 1e7)
+      .soft(-20, 20)
+      .help("What the middle of the cone meets.");
   d.in("intensity", &In::intensity)
       .unit("W/sr")
       .range(0, 1e12)
       .soft(0, 1000)
       .help("Radiant intensity along the axis, before the colour; it does not depend on the cone.");
   describeLightColor(d, "intensity");
-  d.in("cone", &In::cone).unit("deg").range(0.1, 170).soft(1, 120).help("Full angle of the cone: nothing is lit outside it.");
-  d.in("softness", &In::softness).range(0, 1).help("Part of the half angle over which the light fades out at the edge; 0 is a hard edge.");
+  d.in("cone", &In::cone)
+      .unit("deg")
+      .range(0.1, 170)
+      .soft(1, 120)
+      .help("Full angle of the cone: nothing is lit outside it.");
+  d.in("softness", &In::softness)
+      .range(0, 1)
+      .help("Part of the half angle over which the light fades out at the edge; 0 is a hard edge.");
   d.in("radius", &In::radius)
       .unit("m")
       .range(1e-4, 1e6)

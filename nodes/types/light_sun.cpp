@@ -37,8 +37,10 @@ void describe(Describe<In, Out>& d) {
       .help("The disc's diameter; the real sun's is 0.53. Above 0 shadows have soft edges.");
   d.in("disc_samples", &In::disc_samples)
       .range(1, 32)
-      .help("Suns that stand for the disc where 'Angle' is above 0, each with a shadow of its own: steps of the "
-            "penumbra.");
+      .help(
+          "Suns that stand for the disc where 'Angle' is above 0, each with a shadow of its own: steps of "
+          "the "
+          "penumbra.");
   d.out("light", &Out::light).help("One sun without a shadow, or as many as stand for its disc.");
 }
 
@@ -49,7 +51,8 @@ Result<Out> evaluate(const In& in, EvalContext&) {
   sun.emitted = lightColor(in) * static_cast<float>(in.irradiance);
   sun.angle = in.angle;
   Out out;
-  for (const scene::Light& part : scene::splitDisc(sun, in.disc_samples)) out.light.items.push_back({part, nullptr});
+  for (const scene::Light& part : scene::splitDisc(sun, in.disc_samples))
+    out.light.items.push_back({part, nullptr});
   return out;
 }
 

@@ -17,12 +17,20 @@ struct Out {
 
 void describe(Describe<In, Out>& d) {
   d.name("Solid Box").category("Solid").keywords("cube block building occluder opaque");
-  d.help("An opaque box with exact faces. It catches the shadows of volumes and solids, and casts its own where it is "
-         "linked to a shadow. Matt.");
+  d.help(
+      "An opaque box with exact faces. It catches the shadows of volumes and solids, and casts its own where "
+      "it is "
+      "linked to a shadow. Matt.");
   d.in("center", &In::center).unit("m").range(-1e6, 1e6).soft(-10, 10).help("Where its middle is.");
   d.in("size", &In::size).unit("m").range(1e-6, 1e6).soft(0.01, 10).help("Edge lengths.");
-  d.in("rotate", &In::rotate).unit("deg").range(-36000, 36000).soft(-180, 180).help("Turns about X, then Y, then Z.");
-  d.in("albedo", &In::albedo).range(0, 1).help("The part of the light it reflects, evenly (Lambert); linear, in the working space.");
+  d.in("rotate", &In::rotate)
+      .unit("deg")
+      .range(-36000, 36000)
+      .soft(-180, 180)
+      .help("Turns about X, then Y, then Z.");
+  d.in("albedo", &In::albedo)
+      .range(0, 1)
+      .help("The part of the light it reflects, evenly (Lambert); linear, in the working space.");
   d.out("solid", &Out::solid).help("One solid.");
 }
 

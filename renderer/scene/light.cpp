@@ -46,7 +46,9 @@ Incidence incidence(const Light& light, const dvec3& point) {
 std::vector<Light> splitDisc(const Light& sun, int count) {
   if (sun.kind != LightKind::Sun || sun.angle <= 0 || count <= 1) return {sun};
   const dvec3 axis = glm::normalize(sun.towards);
-  const dvec3 right = glm::normalize(glm::cross(std::abs(axis.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), axis)), up = glm::cross(axis, right);
+  const dvec3 right =
+                  glm::normalize(glm::cross(std::abs(axis.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), axis)),
+              up = glm::cross(axis, right);
   const double edge = std::sin(glm::radians(sun.angle) / 2), golden = kPi * (3 - std::sqrt(5.0));
   std::vector<Light> out;
   for (int i = 0; i < count; ++i) {

@@ -10,19 +10,21 @@ enum class LightKind { Sun, Point, Spot };
 
 struct Light {
   LightKind kind = LightKind::Sun;
-  dvec3 towards{0, 1, 0};   ///< Sun: unit vector towards the light; Spot: the same seen from the middle of its cone (against its axis)
-  vec3 emitted{10.0f};      ///< Sun: irradiance at normal incidence [W/m^2] x colour; Point, Spot: radiant intensity [W/sr] x colour
-  double angle = 0;         ///< Sun: diameter of the disc, degrees; what a soft sun was split from
-  dvec3 position{0};        ///< Point, Spot: metres
-  double radius = 0.01;     ///< Point, Spot: metres; within it irradiance stays I / radius^2
-  double cone = 60;         ///< Spot: full angle of the cone, degrees, below 180
-  double softness = 0.2;    ///< Spot: part of the half angle over which the edge fades, 0..1
+  dvec3 towards{0, 1, 0};  ///< Sun: unit vector towards the light; Spot: the same seen from the middle of its
+                           ///< cone (against its axis)
+  vec3 emitted{10.0f};     ///< Sun: irradiance at normal incidence [W/m^2] x colour; Point, Spot: radiant
+                           ///< intensity [W/sr] x colour
+  double angle = 0;        ///< Sun: diameter of the disc, degrees; what a soft sun was split from
+  dvec3 position{0};       ///< Point, Spot: metres
+  double radius = 0.01;    ///< Point, Spot: metres; within it irradiance stays I / radius^2
+  double cone = 60;        ///< Spot: full angle of the cone, degrees, below 180
+  double softness = 0.2;   ///< Spot: part of the half angle over which the edge fades, 0..1
 
   bool operator==(const Light&) const = default;
 };
 
-/// What a point receives: E(p) = emitted x falloff for a sun 1, for the others cone(p) / max(r^2, radius^2). Twin of lightAt in
-/// lib/light.glsl. Without shadow.
+/// What a point receives: E(p) = emitted x falloff for a sun 1, for the others cone(p) / max(r^2, radius^2).
+/// Twin of lightAt in lib/light.glsl. Without shadow.
 struct Incidence {
   dvec3 towards{0, 1, 0};  ///< unit vector from the point to the light
   double distance = 0;     ///< metres to the light; infinite for a sun
@@ -30,7 +32,8 @@ struct Incidence {
 };
 Incidence incidence(const Light& light, const dvec3& point);
 
-/// `count` suns of equal share, spread evenly over the disc of a soft one (Vogel spiral); the light itself where it has no extent.
+/// `count` suns of equal share, spread evenly over the disc of a soft one (Vogel spiral); the light itself
+/// where it has no extent.
 std::vector<Light> splitDisc(const Light& sun, int count);
 
 /// Azimuth from +Z towards +X, elevation above the horizon; degrees. Unit vector towards the sun.

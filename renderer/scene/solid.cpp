@@ -38,7 +38,11 @@ Box3 worldBounds(const SolidList& solids) {
   Box3 box;
   for (const Solid& s : solids)
     for (int c = 0; c < 8; ++c) {
-      const dvec3 corner(c & 1 ? 0.5 : -0.5, s.shape == SolidShape::Plane ? 0.0 : c & 2 ? 0.5 : -0.5, c & 4 ? 0.5 : -0.5);
+      const dvec3 corner(c & 1 ? 0.5 : -0.5,
+                         s.shape == SolidShape::Plane ? 0.0
+                         : c & 2                      ? 0.5
+                                                      : -0.5,
+                         c & 4 ? 0.5 : -0.5);
       box.extend(dvec3(s.worldFromLocal * dvec4(corner, 1.0)));
     }
   return box;

@@ -1,5 +1,6 @@
 #pragma once
-// Opaque solids: what volumes throw shadows on and what throws shadows into volumes. Exact shapes, never tessellated. Plain values.
+// Opaque solids: what volumes throw shadows on and what throws shadows into volumes. Exact shapes, never
+// tessellated. Plain values.
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Solid {
 using SolidList = std::vector<Solid>;
 
 struct SolidHit {
-  double t = 0;    ///< along the ray, in lengths of d
+  double t = 0;           ///< along the ray, in lengths of d
   dvec3 normal{0, 1, 0};  ///< unit, world, against the ray
 };
 

@@ -16,12 +16,17 @@ gpu::SolidRecord makeRecord(const scene::Solid& solid) {
 
 }  // namespace
 
-LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes, const scene::SolidList& solids)
-    : lights_(std::move(lights)), volumes_(residency::canonical(volumes)), drawnVolumes_(volumes_.size()), drawnSolids_(solids.size()) {
+LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes,
+                   const scene::SolidList& solids)
+    : lights_(std::move(lights)),
+      volumes_(residency::canonical(volumes)),
+      drawnVolumes_(volumes_.size()),
+      drawnSolids_(solids.size()) {
   // Lights mostly share one list of solids, the drawn one: each different list is stored once.
   std::vector<std::pair<const scene::SolidList*, int>> lists;
   const auto rangeOf = [&](const scene::SolidList& list) {
-    const auto known = std::find_if(lists.begin(), lists.end(), [&](const auto& l) { return *l.first == list; });
+    const auto known =
+        std::find_if(lists.begin(), lists.end(), [&](const auto& l) { return *l.first == list; });
     if (known != lists.end()) return ivec2(known->second, int(list.size()));
     const int first = int(solids_.size());
     lists.push_back({&list, first});
@@ -47,12 +52,15 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
 
 Result<void> LightSet::check() const {
   if (lights_.size() <= MAX_LIGHTS) return {};
-  return fail(Code::Input, "lights: {} are linked, at most {} can be rendered together", lights_.size(), MAX_LIGHTS);
+  return fail(Code::Input, "lights: {} are linked, at most {} can be rendered together", lights_.size(),
+              MAX_LIGHTS);
 }
 
 gl::Defines LightSet::defines() const {
-  const bool local = std::any_of(lights_.begin(), lights_.end(), [](const auto& l) { return l.light.kind != scene::LightKind::Sun; });
-  const bool blocked = std::any_of(blockers_.begin(), blockers_.end(), [](ivec2 range) { return range.y > 0; });
+  const bool local = std::any_of(lights_.begin(), lights_.end(),
+                                 [](const auto& l) { return l.light.kind != scene::LightKind::Sun; });
+  const bool blocked =
+      std::any_of(blockers_.begin(), blockers_.end(), [](ivec2 range) { return range.y > 0; });
   gl::Defines out = shadow::lookupDefines(lights_);
   out.insert(out.end(), {{"LOCAL_LIGHTS", local}, {"BLOCKERS", blocked}});
   return out;
@@ -63,7 +71,8 @@ void LightSet::bind(const shadow::ShadowStore& store) {
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const shadow::ShadowMap* shadow = lights_[i].shadow.get();
     gpu::LightRecord& r = records.emplace_back(shadow::makeRecord(lights_[i].light, shadow));
-    if (shadow && shadow->kind == shadow::ShadowMap::Kind::RayMarch) r.items.y = marched_[i].x, r.items.z = marched_[i].y;
+    if (shadow && shadow->kind == shadow::ShadowMap::Kind::RayMarch)
+      r.items.y = marched_[i].x, r.items.z = marched_[i].y;
     r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y;
   }
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));

@@ -1,6 +1,6 @@
 #pragma once
-// The lights of one pass and all that lib/light_tau.glsl reads for them: their records, the volumes their shadows march through and the
-// solids that block them. GL thread.
+// The lights of one pass and all that lib/light_tau.glsl reads for them: their records, the volumes their
+// shadows march through and the solids that block them. GL thread.
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/volume_set.h"
@@ -12,10 +12,12 @@ namespace pileus::view {
 class LightSet {
  public:
   /// `volumes` and `solids` are what the pass itself looks at.
-  LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes, const scene::SolidList& solids);
+  LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes,
+           const scene::SolidList& solids);
 
   const std::vector<shadow::ShadowedLight>& lights() const { return lights_; }
-  /// What a residency::VolumeSet has to hold: the pass's own volumes in canonical order, then those only shadows march through.
+  /// What a residency::VolumeSet has to hold: the pass's own volumes in canonical order, then those only
+  /// shadows march through.
   const volume::InstanceList& volumes() const { return volumes_; }
   std::size_t drawnVolumes() const { return drawnVolumes_; }
   /// The pass's own solids are the first of the solid records.
@@ -24,8 +26,8 @@ class LightSet {
   Result<void> check() const;
   /// Variant constants of lib/light_tau.glsl, those of the map lookup included.
   gl::Defines defines() const;
-  /// Records (made anew: maps may have moved), lists and the maps themselves to their binding points. At least one light is bound, a
-  /// black one if need be.
+  /// Records (made anew: maps may have moved), lists and the maps themselves to their binding points. At
+  /// least one light is bound, a black one if need be.
   void bind(const shadow::ShadowStore& store);
 
  private:

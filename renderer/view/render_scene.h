@@ -1,5 +1,6 @@
 #pragma once
-// What a picture shows and how it is made. Plain values: whoever holds one can render the same picture again, by other means.
+// What a picture shows and how it is made. Plain values: whoever holds one can render the same picture again,
+// by other means.
 #include "renderer/scene/camera.h"
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
@@ -10,15 +11,15 @@ namespace pileus::view {
 struct RenderOptions {
   ivec2 size{1280, 720};
   int samples = 16;
-  double stepScale = 1;   ///< of the finest detail or pixel footprint
+  double stepScale = 1;  ///< of the finest detail or pixel footprint
   scene::Camera camera;
 };
 
 struct RenderScene {
   RenderOptions options;
-  volume::InstanceList volumes;                ///< drawn; those that cast shadows are each shadow's own
-  std::vector<shadow::ShadowedLight> lights;   ///< a light is blocked by the solids of its shadow
-  scene::SolidList solids;                     ///< drawn
+  volume::InstanceList volumes;               ///< drawn; those that cast shadows are each shadow's own
+  std::vector<shadow::ShadowedLight> lights;  ///< a light is blocked by the solids of its shadow
+  scene::SolidList solids;                    ///< drawn
 };
 
 }  // namespace pileus::view

@@ -1,4 +1,5 @@
-// Point and spot lights by every shadow representation: exact answers in and beside boxes, cube seams, C++ twins.
+// Point and spot lights by every shadow representation: exact answers in and beside boxes, cube seams, C++
+// twins.
 #include <cmath>
 #include <random>
 
@@ -20,19 +21,25 @@ shadow::ShadowSpec specOf(Kind kind, int resolution = 128) {
   return shadow::withResolution(spec, resolution);
 }
 
-/// Largest |dT| allowed: where a series is exact, where transmittance itself is cut at 15 cosines, where compression may err by 0.01.
+/// Largest |dT| allowed: where a series is exact, where transmittance itself is cut at 15 cosines, where
+/// compression may err by 0.01.
 double bound(Kind kind, double exact, double series, double deep = 0.0115) {
   switch (kind) {
-    case Kind::RayMarch: return 3e-6;
+    case Kind::RayMarch:
+      return 3e-6;
     case Kind::Extinction:
-    case Kind::FourierOpacity: return exact;
-    case Kind::TransmittanceFunction: return series;
-    case Kind::Deep: break;
+    case Kind::FourierOpacity:
+      return exact;
+    case Kind::TransmittanceFunction:
+      return series;
+    case Kind::Deep:
+      break;
   }
   return deep;
 }
 
-constexpr Kind kKinds[] = {Kind::RayMarch, Kind::Extinction, Kind::FourierOpacity, Kind::TransmittanceFunction, Kind::Deep};
+constexpr Kind kKinds[] = {Kind::RayMarch, Kind::Extinction, Kind::FourierOpacity,
+                           Kind::TransmittanceFunction, Kind::Deep};
 
 std::vector<dvec3> directions(int count, unsigned seed) {
   std::mt19937_64 rng(seed);
@@ -48,11 +55,13 @@ struct Error {
 };
 
 /// |dT| of the GPU's shadow against the double-precision reference.
-Error errorOf(const shadow::ShadowedLight& light, const volume::InstanceList& volumes, const std::vector<dvec3>& points) {
+Error errorOf(const shadow::ShadowedLight& light, const volume::InstanceList& volumes,
+              const std::vector<dvec3>& points) {
   const std::vector<test::Lit> lit = test::lit(light, points);
   Error e;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double d = std::abs(std::exp(-lit[i].tau) - std::exp(-shadow::opticalDepthToLight(volumes, light.light, points[i])));
+    const double d = std::abs(std::exp(-lit[i].tau) -
+                              std::exp(-shadow::opticalDepthToLight(volumes, light.light, points[i])));
     e.mean += d / double(points.size());
     if (d > e.worst) e.worst = d, e.where = points[i];
   }
@@ -60,7 +69,8 @@ Error errorOf(const shadow::ShadowedLight& light, const volume::InstanceList& vo
 }
 
 void print(const char* what, Kind kind, const Error& e) {
-  std::printf("%s, %s: mean |dT| %.7f, max %.7f at %.3f %.3f %.3f\n", what, shadow::describe(specOf(kind)).c_str(), e.mean, e.worst, e.where.x, e.where.y, e.where.z);
+  std::printf("%s, %s: mean |dT| %.7f, max %.7f at %.3f %.3f %.3f\n", what,
+              shadow::describe(specOf(kind)).c_str(), e.mean, e.worst, e.where.x, e.where.y, e.where.z);
 }
 
 TEST(Lights, IncidenceIsThatOfTheCpu) {
@@ -76,22 +86,28 @@ TEST(Lights, IncidenceIsThatOfTheCpu) {
     light.cone = 90 + 80 * u(rng);
     light.softness = i % 5 == 0 ? 0 : 0.5 + 0.5 * u(rng);
     std::vector<dvec3> points{light.position};
-    for (int k = 0; k < 100; ++k) points.push_back(dvec3(vec3(light.position + dvec3(3 * u(rng), 3 * u(rng), 3 * u(rng)))));
+    for (int k = 0; k < 100; ++k)
+      points.push_back(dvec3(vec3(light.position + dvec3(3 * u(rng), 3 * u(rng), 3 * u(rng)))));
     const auto lit = test::lit({light, nullptr}, points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const scene::Incidence want = scene::incidence(light, points[k]);
       const bool sun = light.kind == scene::LightKind::Sun;
       // At the light itself only rounding decides where it lies.
       if (k > 0) {
-        EXPECT_LT(glm::length(lit[k].towards - want.towards), 2e-5 / std::min(1.0, want.distance)) << i << " " << k;
+        EXPECT_LT(glm::length(lit[k].towards - want.towards), 2e-5 / std::min(1.0, want.distance))
+            << i << " " << k;
       }
       if (!sun) {
         EXPECT_NEAR(lit[k].distance, want.distance, 2e-6) << i << " " << k;
       }
       // A hard edge is wherever rounding of the cosine puts it.
-      const double away = std::abs(glm::dot(want.towards, light.towards) - std::cos(glm::radians(light.cone) / 2));
+      const double away =
+          std::abs(glm::dot(want.towards, light.towards) - std::cos(glm::radians(light.cone) / 2));
       if (light.kind == scene::LightKind::Spot && (light.softness == 0 || k == 0) && away < 1e-4) continue;
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(lit[k].irradiance[c] / (want.falloff * double(light.emitted[c]) + 1e-9), want.falloff > 0 ? 1 : 0, k > 0 ? 1e-3 : 2) << i << " " << k;
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(lit[k].irradiance[c] / (want.falloff * double(light.emitted[c]) + 1e-9),
+                    want.falloff > 0 ? 1 : 0, k > 0 ? 1e-3 : 2)
+            << i << " " << k;
       EXPECT_EQ(lit[k].tau, 0);
       EXPECT_EQ(lit[k].arriving, lit[k].irradiance);
     }
@@ -103,22 +119,26 @@ TEST(Lights, PointInsideABoxIsExponentialInEveryDirection) {
   const volume::InstanceList volumes{test::box({0.3, -0.2, 0.1}, {4, 4, 4}, sigma)};
   const scene::Light light = test::pointAt({0.5, 0.1, -0.3});
   std::vector<dvec3> points;
-  for (const dvec3& d : directions(1500, 11)) points.push_back(light.position + (0.02 + 1.4 * double(points.size()) / 1500) * d);
+  for (const dvec3& d : directions(1500, 11))
+    points.push_back(light.position + (0.02 + 1.4 * double(points.size()) / 1500) * d);
   for (const Kind kind : kKinds) {
     const shadow::ShadowedLight map = test::shadowed(light, specOf(kind), volumes);
     const auto lit = test::lit(map, points);
     double worst = 0, mean = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double d = std::abs(std::exp(-lit[i].tau) - std::exp(-sigma * glm::length(points[i] - light.position)));
+      const double d =
+          std::abs(std::exp(-lit[i].tau) - std::exp(-sigma * glm::length(points[i] - light.position)));
       worst = std::max(worst, d), mean += d / double(points.size());
     }
-    std::printf("point in a box, %s: mean |dT| %.7f, max %.7f\n", shadow::describe(specOf(kind)).c_str(), mean, worst);
+    std::printf("point in a box, %s: mean |dT| %.7f, max %.7f\n", shadow::describe(specOf(kind)).c_str(),
+                mean, worst);
     EXPECT_LT(worst, bound(kind, 3e-6, 0.035)) << shadow::describe(specOf(kind));
   }
 }
 
 TEST(Lights, WhatLiesBehindAPointLightCastsNoShadow) {
-  const volume::InstanceList volumes{test::box({-3, 0, 0}, {1, 1, 1}, 5), test::box({3, 0, 0}, {1, 1, 1}, 0.5)};
+  const volume::InstanceList volumes{test::box({-3, 0, 0}, {1, 1, 1}, 5),
+                                     test::box({3, 0, 0}, {1, 1, 1}, 0.5)};
   const scene::Light light = test::pointAt({0, 0, 0});
   const std::vector<dvec3> points{{2.6, 0, 0}, {3.4, 0.1, 0.2}, {5, 0, 0}, {1, 0, 0}};
   for (const Kind kind : kKinds) {
@@ -129,7 +149,9 @@ TEST(Lights, WhatLiesBehindAPointLightCastsNoShadow) {
 }
 
 TEST(Lights, PointBetweenTwoClouds) {
-  const volume::InstanceList volumes{test::ball({-2, 0.2, 0}, 1.2, 1.1), test::ball({2.2, -0.3, 0.4}, 1.0, 0.6), test::ball({0.2, 2.0, 0.1}, 0.8, 2.0)};
+  const volume::InstanceList volumes{test::ball({-2, 0.2, 0}, 1.2, 1.1),
+                                     test::ball({2.2, -0.3, 0.4}, 1.0, 0.6),
+                                     test::ball({0.2, 2.0, 0.1}, 0.8, 2.0)};
   const scene::Light light = test::pointAt({0.1, 0, 0.05});
   std::vector<dvec3> points;
   for (const dvec3& d : directions(1200, 12)) {
@@ -145,13 +167,15 @@ TEST(Lights, PointBetweenTwoClouds) {
 }
 
 TEST(Lights, SpotGrazingABox) {
-  // A millimetre off the face y = 0.5 and parallel to it: most light rays meet the box at a glancing angle or not at all.
+  // A millimetre off the face y = 0.5 and parallel to it: most light rays meet the box at a glancing angle or
+  // not at all.
   const volume::InstanceList volumes{test::box({0, 0, 0}, {4, 1, 2}, 1.5)};
   const scene::Light light = test::spotAt({-4, 0.501, 0}, {0, 0.501, 0}, 50);
   std::mt19937_64 rng(9);
   std::uniform_real_distribution<double> u(0, 1);
   std::vector<dvec3> points;
-  for (int i = 0; i < 1500; ++i) points.push_back({-1.9 + 3.8 * u(rng), 0.49 - 0.5 * u(rng) * u(rng), 0.8 * (u(rng) - 0.5)});
+  for (int i = 0; i < 1500; ++i)
+    points.push_back({-1.9 + 3.8 * u(rng), 0.49 - 0.5 * u(rng) * u(rng), 0.8 * (u(rng) - 0.5)});
   for (const Kind kind : kKinds) {
     const Error e = errorOf(test::shadowed(light, specOf(kind, 256), volumes), volumes, points);
     print("grazing spot", kind, e);
@@ -161,7 +185,9 @@ TEST(Lights, SpotGrazingABox) {
 }
 
 TEST(Lights, CubeFacesMeetWithoutASeam) {
-  const volume::InstanceList volumes{test::ball({1.5, 1.5, 0.2}, 1.0, 0.8), test::ball({-1.4, 0.3, -1.5}, 0.9, 1.2), test::ball({0.1, -1.6, 1.5}, 1.1, 0.9)};
+  const volume::InstanceList volumes{test::ball({1.5, 1.5, 0.2}, 1.0, 0.8),
+                                     test::ball({-1.4, 0.3, -1.5}, 0.9, 1.2),
+                                     test::ball({0.1, -1.6, 1.5}, 1.1, 0.9)};
   const scene::Light light = test::pointAt({0.05, -0.02, 0.03});
   // Pairs of points on both sides of the twelve edges, as near as floats allow to tell them apart.
   std::mt19937_64 rng(21);
@@ -184,7 +210,8 @@ TEST(Lights, CubeFacesMeetWithoutASeam) {
       worst = std::max(worst, std::abs(std::exp(-lit[i].tau) - std::exp(-lit[i + 1].tau)));
       shadowed += lit[i].tau > 0.05;
     }
-    std::printf("seams, %s: max |dT| across an edge %.6f, %d of %zu pairs in shadow\n", shadow::describe(specOf(kind)).c_str(), worst, shadowed, points.size() / 2);
+    std::printf("seams, %s: max |dT| across an edge %.6f, %d of %zu pairs in shadow\n",
+                shadow::describe(specOf(kind)).c_str(), worst, shadowed, points.size() / 2);
     EXPECT_GT(shadowed, 150);
     EXPECT_LT(worst, kind == Kind::RayMarch ? 3e-4 : 3e-3) << shadow::describe(specOf(kind));
   }

@@ -1,5 +1,6 @@
 #pragma once
-// What the GPU says a light sends to points, and where rays meet solids: lib/light_tau.glsl and lib/solid.glsl behind a function.
+// What the GPU says a light sends to points, and where rays meet solids: lib/light_tau.glsl and
+// lib/solid.glsl behind a function.
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shadow/shadow_pass.h"
 #include "renderer/view/light_set.h"
@@ -14,14 +15,14 @@ struct Lit {
   double tau = 0;
   dvec3 arriving{0};
   double visibility = 0;
-  dvec3 normal{0};      ///< of the nearest solid
-  double hit = 0;       ///< its distance; 1e30 for none
+  dvec3 normal{0};  ///< of the nearest solid
+  double hit = 0;   ///< its distance; 1e30 for none
   int solid = -1;
 };
 
 /// `directions` may be empty where no solids are drawn.
-inline std::vector<Lit> lit(const shadow::ShadowedLight& light, const std::vector<dvec3>& points, const scene::SolidList& drawn = {},
-                            const std::vector<dvec3>& directions = {}) {
+inline std::vector<Lit> lit(const shadow::ShadowedLight& light, const std::vector<dvec3>& points,
+                            const scene::SolidList& drawn = {}, const std::vector<dvec3>& directions = {}) {
   const shadow::Gpu gpu = renderer().gpu();
   view::LightSet lights({light}, {}, drawn);
   residency::VolumeSet volumes;
@@ -55,14 +56,18 @@ inline std::vector<Lit> lit(const shadow::ShadowedLight& light, const std::vecto
   std::vector<Lit> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const vec4* o = &out[5 * i];
-    result.push_back({dvec3(o[0]), double(o[0].w), dvec3(o[1]), double(o[1].w), dvec3(o[2]), double(o[2].w), dvec3(o[3]), double(o[3].w), int(o[4].x)});
+    result.push_back({dvec3(o[0]), double(o[0].w), dvec3(o[1]), double(o[1].w), dvec3(o[2]), double(o[2].w),
+                      dvec3(o[3]), double(o[3].w), int(o[4].x)});
   }
   return result;
 }
 
 /// A shadow of any kind, built to the end.
-inline shadow::ShadowedLight shadowed(const scene::Light& light, const shadow::ShadowSpec& spec, const volume::InstanceList& volumes, const scene::SolidList& solids = {}) {
-  if (spec.kind == shadow::ShadowSpec::Kind::RayMarch) return {light, shadow::marchedShadow(light, volumes, solids, spec.stepScale)};
+inline shadow::ShadowedLight shadowed(const scene::Light& light, const shadow::ShadowSpec& spec,
+                                      const volume::InstanceList& volumes,
+                                      const scene::SolidList& solids = {}) {
+  if (spec.kind == shadow::ShadowSpec::Kind::RayMarch)
+    return {light, shadow::marchedShadow(light, volumes, solids, spec.stepScale)};
   auto map = shadow::buildShadow(renderer().gpu(), spec, light, volumes, solids);
   if (!map) {
     ADD_FAILURE() << map.error().message;
@@ -86,6 +91,41 @@ inline scene::Light spotAt(const dvec3& position, const dvec3& target, double co
   light.cone = cone;
   light.softness = softness;
   return light;
+}
+
+inline scene::Solid solidPlane(const dvec3& center, const dvec3& size, const dvec3& rotate = dvec3(0),
+                               vec3 albedo = vec3(0.5f)) {
+  return {scene::SolidShape::Plane, composeTransform(center, rotate, {size.x, 1, size.z}), albedo};
+}
+inline scene::Solid solidBox(const dvec3& center, const dvec3& size, const dvec3& rotate = dvec3(0),
+                             vec3 albedo = vec3(0.5f)) {
+  return {scene::SolidShape::Box, composeTransform(center, rotate, size), albedo};
+}
+
+inline image::Image render(const view::RenderScene& scene) {
+  renderer();
+  view::VolumeRenderPass pass(scene);
+  double done = 0;
+  while (done < 1) {
+    const auto step = pass.step(renderer().gpu(), 1e12);
+    if (!step) {
+      ADD_FAILURE() << step.error().message;
+      std::abort();
+    }
+    done = *step;
+  }
+  return view::readBack(*pass.picture()).value();
+}
+
+/// RGBA of the ray from the eye to the target.
+inline vec4 along(const dvec3& eye, const dvec3& target, view::RenderScene scene) {
+  scene.options.size = ivec2(9, 9);
+  scene.options.samples = 1;
+  scene.options.camera = {
+      eye, target, std::abs(glm::normalize(target - eye).y) > 0.99 ? dvec3(0, 0, 1) : dvec3(0, 1, 0), 0.01};
+  const image::Image image = render(scene);
+  const float* p = &image.layers[0].pixels[(4 * 9 + 4) * 4];
+  return {p[0], p[1], p[2], p[3]};
 }
 
 }  // namespace pileus::test

@@ -1,7 +1,8 @@
-// What arrives of a light at a point: through the media by whatever shadow it has, and past the solids that block it. What is read here
-// is bound by view/light_set.h, volumes by residency/volume_set.h.
-// Variant constants: LIGHT_KINDS (1: lights without shadow, 2: extinction maps, 4: ray marches, 8: transmittance maps, 16: deep maps),
-// LOCAL_LIGHTS (0: suns only), BLOCKERS of lib/solid.glsl and those of lib/shadow_map.glsl.
+// What arrives of a light at a point: through the media by whatever shadow it has, and past the solids that
+// block it. What is read here is bound by view/light_set.h, volumes by residency/volume_set.h.
+// Variant constants: LIGHT_KINDS (1: lights without shadow, 2: extinction maps, 4: ray marches,
+// 8: transmittance maps, 16: deep maps), LOCAL_LIGHTS (0: suns only), BLOCKERS of lib/solid.glsl and those of
+// lib/shadow_map.glsl.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/light.glsl"
@@ -35,7 +36,8 @@ float lightTauTowards(int l, vec3 p, vec3 towards, float distance) {
 #if LIGHT_KINDS & 4
   int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0;
   for (int k = 0; k < count && tau < 30.0; ++k)
-    tau += opticalDepth(texelFetch(shadowItems, lights[l].items.y + k).x, p, towards, lights[l].extent.y, distance);
+    tau += opticalDepth(texelFetch(shadowItems, lights[l].items.y + k).x, p, towards, lights[l].extent.y,
+                        distance);
 #endif
   return tau;
 }
@@ -50,5 +52,6 @@ float lightTau(int l, vec3 p) {
 vec3 lightArriving(int l, vec3 p, out vec3 towards) {
   Incidence i = unshadowed(l, p);
   towards = i.towards;
-  return i.irradiance * (exp(-lightTauTowards(l, p, i.towards, i.distance)) * solidVisibility(l, p, i.towards, i.distance));
+  float transmittance = exp(-lightTauTowards(l, p, i.towards, i.distance));
+  return i.irradiance * (transmittance * solidVisibility(l, p, i.towards, i.distance));
 }

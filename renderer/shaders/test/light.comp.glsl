@@ -1,4 +1,5 @@
-// What light 0 sends to given points, and the nearest solid along given rays from them, for the tests that compare with C++.
+// What light 0 sends to given points, and the nearest solid along given rays from them, for the tests that
+// compare with C++.
 #include "lib/light_tau.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { vec4 inputs[]; };     // point, direction
@@ -11,7 +12,8 @@ void main() {
   Incidence unblocked = unshadowed(0, p);
   outputs[5 * i] = vec4(unblocked.towards, unblocked.distance);
   outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTau(0, p));
-  outputs[5 * i + 2] = vec4(lightArriving(0, p, towards), solidVisibility(0, p, unblocked.towards, unblocked.distance));
+  float visible = solidVisibility(0, p, unblocked.towards, unblocked.distance);
+  outputs[5 * i + 2] = vec4(lightArriving(0, p, towards), visible);
   int solid = -1;
   float t = kNoHit;
   if (solidCount > 0) t = nearestSolid(solidCount, p, inputs[2 * i + 1].xyz, solid, normal);

@@ -14,8 +14,12 @@ struct Evaluated {
     EXPECT_TRUE(loaded && loaded->faults.empty());
     evaluator.evaluate(loaded->graph, {wanted.begin(), wanted.end()}, {});
   }
-  scene::SolidList solids(const std::string& node) const { return std::get<SolidValue>(*evaluator.output(node, "solid")).items; }
-  std::vector<LightWithShadow> lights(const std::string& node) const { return std::get<LightValue>(*evaluator.output(node, "light")).items; }
+  scene::SolidList solids(const std::string& node) const {
+    return std::get<SolidValue>(*evaluator.output(node, "solid")).items;
+  }
+  std::vector<LightWithShadow> lights(const std::string& node) const {
+    return std::get<LightValue>(*evaluator.output(node, "light")).items;
+  }
 };
 
 TEST(LightNodes, ASunWithAnAngleIsAsManySunsAsAskedFor) {
@@ -34,10 +38,11 @@ TEST(LightNodes, ASunWithAnAngleIsAsManySunsAsAskedFor) {
 }
 
 TEST(LightNodes, PointAndSpotMeanWhatTheyDeclare) {
-  const Evaluated e(R"("Lamp": {"type": "light.point", "params": {"position": [1, 2, 3], "intensity": 8, "color": [1, 0.5, 0.25], "radius": 0.5}},
+  const Evaluated e(
+      R"("Lamp": {"type": "light.point", "params": {"position": [1, 2, 3], "intensity": 8, "color": [1, 0.5, 0.25], "radius": 0.5}},
                        "Spot": {"type": "light.spot", "params": {"position": [0, 0, 4], "target": [3, 0, 0], "cone": 30, "softness": 0.1}},
                        "Bad": {"type": "light.spot", "params": {"position": [1, 1, 1], "target": [1, 1, 1]}})",
-                    {"Lamp", "Spot", "Bad"});
+      {"Lamp", "Spot", "Bad"});
   const scene::Light lamp = e.lights("Lamp").at(0).light, spot = e.lights("Spot").at(0).light;
   EXPECT_EQ(lamp.kind, scene::LightKind::Point);
   EXPECT_EQ(lamp.position, dvec3(1, 2, 3));
@@ -53,9 +58,10 @@ TEST(LightNodes, PointAndSpotMeanWhatTheyDeclare) {
 }
 
 TEST(SolidNodes, PlaneAndBoxArePlacedAsDeclared) {
-  const Evaluated e(R"("Ground": {"type": "solid.plane", "params": {"center": [0, -1, 0], "size": [4, 7, 6], "rotate": [0, 30, 0], "albedo": [0.1, 0.2, 0.3]}},
+  const Evaluated e(
+      R"("Ground": {"type": "solid.plane", "params": {"center": [0, -1, 0], "size": [4, 7, 6], "rotate": [0, 30, 0], "albedo": [0.1, 0.2, 0.3]}},
                        "Block": {"type": "solid.box", "params": {"center": [1, 2, 3], "size": [2, 3, 4]}})",
-                    {"Ground", "Block"});
+      {"Ground", "Block"});
   const scene::Solid ground = e.solids("Ground").at(0), block = e.solids("Block").at(0);
   EXPECT_EQ(ground.shape, scene::SolidShape::Plane);
   EXPECT_EQ(ground.worldFromLocal, composeTransform({0, -1, 0}, {0, 30, 0}, {4, 1, 6}));  // y is not used

@@ -84,7 +84,9 @@ TEST(SplitDisc, PartsShareTheLightAndLieEvenlyInTheDisc) {
         EXPECT_NEAR(squares, 0.5, 1e-9) << angle << " " << count;
         const double offset = glm::length(glm::cross(axis, glm::normalize(mean))) / edge;
         EXPECT_LT(offset, count == 2 ? 0.33 : count == 8 ? 0.065 : 0.02) << angle << " " << count;
-        if (axis.y == 1) std::printf("angle %.2f, %d parts: the mean is off the middle by %.4f of the radius\n", angle, count, offset);
+        if (axis.y == 1)
+          std::printf("angle %.2f, %d parts: the mean is off the middle by %.4f of the radius\n", angle,
+                      count, offset);
       }
 }
 

@@ -27,8 +27,8 @@ TEST(Solid, APlaneIsMetOnBothSidesWithinItsEdges) {
   EXPECT_EQ(below->normal, dvec3(0, -1, 0));
   EXPECT_FALSE(intersect(s, {3.1, 0, 3}, {0, 1, 0}));
   EXPECT_FALSE(intersect(s, {1, 0, 4.1}, {0, 1, 0}));
-  EXPECT_FALSE(intersect(s, {1, 5, 3}, {0, 1, 0}));      // behind
-  EXPECT_FALSE(intersect(s, {-9, 2, 3}, {1, 0, 0}));     // along it
+  EXPECT_FALSE(intersect(s, {1, 5, 3}, {0, 1, 0}));        // behind
+  EXPECT_FALSE(intersect(s, {-9, 2, 3}, {1, 0, 0}));       // along it
   EXPECT_FALSE(intersect(s, {1, 5, 3}, {0, -2, 0}, 1.6));  // before tMin
 }
 
@@ -57,7 +57,8 @@ TEST(Solid, RandomRaysHitTheSurfaceAndNothingBefore) {
   std::uniform_real_distribution<double> u(-1, 1);
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Solid s = box({u(rng), u(rng), u(rng)}, {1.2 + u(rng), 1.2 + u(rng), 1.2 + u(rng)}, {180 * u(rng), 180 * u(rng), 180 * u(rng)});
+    const Solid s = box({u(rng), u(rng), u(rng)}, {1.2 + u(rng), 1.2 + u(rng), 1.2 + u(rng)},
+                        {180 * u(rng), 180 * u(rng), 180 * u(rng)});
     const dvec3 o(3 * u(rng), 3 * u(rng), 3 * u(rng)), d = dvec3(u(rng), u(rng), u(rng)) - o;
     if (depthOf(s, o) > -1e-3) continue;
     const auto hit = intersect(s, o, d);

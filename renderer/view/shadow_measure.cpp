@@ -1,11 +1,16 @@
 #include "renderer/view/shadow_measure.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "renderer/base/profile.h"
 
 namespace pileus::view {
 namespace {
 
 constexpr int kWarmUpResolution = 64;
+constexpr int kBuilds = 3;
+constexpr double kBuildMs = 400;  ///< a map is not built again once this is spent
 
 }  // namespace
 
@@ -56,11 +61,14 @@ Result<double> MeasurePass::step(const shadow::Gpu& gpu, double ms) {
     const Stopwatch clock;
     PILEUS_TRY(const double done, pass_->step(gpu, ms));
     glFinish();
-    measure_.buildMs += clock.ms();
-    if (done < 1) return 0.2 + 0.6 * done;
+    thisBuildMs_ += clock.ms();
+    if (done < 1) return 0.2 + 0.6 * (builds_ + done) / kBuilds;
     map_ = pass_->map();
-    pass_.reset();
-    return 0.8;
+    measure_.buildMs = builds_ == 0 ? thisBuildMs_ : std::min(measure_.buildMs, thisBuildMs_);
+    spentMs_ += std::exchange(thisBuildMs_, 0.0);
+    if (++builds_ == kBuilds || dispatches_ == 0 || spentMs_ > kBuildMs) pass_.reset();
+    else pass_ = makePass(shadow::resolutionOf(measure_.spec));
+    return pass_ ? 0.2 + 0.6 * builds_ / kBuilds : 0.8;
   }
   PILEUS_TRY(const ProbeResult result, probe(gpu, *map_, samples_, dispatches_));
   measure_.error = result.error;

@@ -26,7 +26,7 @@ struct ShadowMeasure {
   int light = 0;
   shadow::ShadowSpec spec;
   ShadowError error;
-  double buildMs = 0;      ///< waited for, programs compiled before
+  double buildMs = 0;      ///< waited for, programs compiled before; the fastest of up to three
   double nsPerLookup = 0;
   std::size_t bytes = 0;
   double bytesPerTexel = 0;
@@ -35,7 +35,7 @@ struct ShadowMeasure {
 /// `samples` outlives it.
 class MeasurePass {
  public:
-  /// `dispatches` as in probe(); 0: neither lookups nor the build are timed with care (programs may be compiled within buildMs).
+  /// `dispatches` as in probe(). 0: lookups are not timed, and the map is built once, perhaps with the compilation of its programs.
   MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, const ShadowSamples& samples, int dispatches);
   /// Builds for about `ms` milliseconds; the last step looks up all samples at once, up to about 0.3 s on a CPU. The fraction done.
   Result<double> step(const shadow::Gpu& gpu, double ms);
@@ -49,6 +49,8 @@ class MeasurePass {
   const ShadowSamples& samples_;
   int dispatches_;
   ShadowMeasure measure_;
+  int builds_ = 0;
+  double thisBuildMs_ = 0, spentMs_ = 0;
   std::unique_ptr<shadow::ShadowPass> warmUp_, pass_;
   std::shared_ptr<const shadow::ShadowMap> map_;
 };

@@ -13,7 +13,7 @@ namespace {
 
 using shadow::ShadowSpec;
 
-constexpr int kBudgetBytes = 32;       ///< a texel of the improved map: K = 4 without weights or horizon, 8 cosines, half
+constexpr double kBudgetBytes = 32;    ///< a texel of the improved map: K = 4 without weights or horizon, 8 cosines, half
 constexpr int kMaxResolution = 8192;
 constexpr int kFits = 8;               ///< tries to meet the bytes of a map whose size depends on the scene
 constexpr double kFitTolerance = 0.005;
@@ -49,7 +49,7 @@ std::vector<Contender> shootoutContenders() {
   using shadow::Metric;
   ShadowSpec dense = extinction(Metric::Interval, 4, Basis::Cosine, 8);
   dense.metric.weighting = shadow::Weighting::Root;
-  dense.metric.horizon = 6;
+  dense.metric.horizon = 5.5;
   return {{"Fourier opacity 3", series(K::FourierOpacity, 3)},
           {"Fourier opacity 7", series(K::FourierOpacity, 7)},
           {"Fourier opacity 11", series(K::FourierOpacity, 11)},
@@ -87,6 +87,7 @@ struct Shootout::Impl {
   ShootoutOptions options;
   std::vector<Caster> casters;
   std::vector<Task> tasks;
+  std::size_t contenders = 0;  ///< of one group
   std::unique_ptr<SampleJob> sampling;
   std::vector<ShadowSamples> samples;
   std::vector<ShootoutEntry> entries;
@@ -101,20 +102,19 @@ struct Shootout::Impl {
   const Task& task() const { return tasks[entries.size()]; }
   const Caster& caster() const { return casters[entry.lights.size()]; }
 
-  std::size_t targetBytes() const {
-    const std::size_t faces = caster().source.kind == scene::LightKind::Point ? 6 : 1;
-    return std::size_t(kBudgetBytes) * std::size_t(options.resolution) * std::size_t(options.resolution) * faces;
+  double targetBytes() const {
+    const int faces = caster().source.kind == scene::LightKind::Point ? 6 : 1;
+    return kBudgetBytes * options.resolution * options.resolution * faces;
   }
 
   /// Begins the measurement of the next light, or of a resolution for it.
   void startLight() {
-    const auto& [group, contender] = task();
-    int resolution = options.resolution;
-    if (group == ShootoutGroup::EqualMemory) {
-      if (const std::size_t bytes = shadow::bytesPerTexel(contender.spec)) resolution = int(std::lround(resolution * std::sqrt(double(kBudgetBytes) / double(bytes))));
-      else return startFit(resolution);
-    }
-    startMeasure(resolution);
+    if (task().group != ShootoutGroup::EqualMemory) return startMeasure(options.resolution);
+    // What a texel took at the defaults. Of a deep map that is a guess: texels of another size see other media.
+    const ShadowMeasure& before = entries[entries.size() - contenders].lights[entry.lights.size()];
+    const int resolution = int(std::lround(options.resolution * std::sqrt(kBudgetBytes / std::max(before.bytesPerTexel, 1.0))));
+    if (shadow::bytesPerTexel(task().contender.spec) > 0) startMeasure(resolution);
+    else startFit(resolution);
   }
   void startFit(int resolution) {
     fitResolution = std::clamp(resolution, 16, kMaxResolution);
@@ -128,7 +128,7 @@ struct Shootout::Impl {
   Result<void> stepFit(const shadow::Gpu& gpu, double ms) {
     PILEUS_TRY(const double done, fit->step(gpu, ms));
     if (done < 1) return {};
-    const double ratio = double(targetBytes()) / double(std::max<std::size_t>(fit->map()->bytes(), 1));
+    const double ratio = targetBytes() / double(std::max<std::size_t>(fit->map()->bytes(), 1));
     const int next = std::clamp(int(std::lround(fitResolution * std::sqrt(ratio))), 16, kMaxResolution);
     fit.reset();
     if (std::abs(ratio - 1) < kFitTolerance || next == fitResolution || ++fits == kFits) {
@@ -187,6 +187,7 @@ Shootout::Shootout(RenderScene scene, const ShootoutOptions& options) : impl_(st
   ShadowSpec march;
   march.kind = ShadowSpec::Kind::RayMarch;
   impl_->tasks.push_back({ShootoutGroup::Truth, {"Ray march", march}});
+  impl_->contenders = shootoutContenders().size();
   for (const ShootoutGroup group : {ShootoutGroup::Defaults, ShootoutGroup::EqualMemory})
     for (Contender& c : shootoutContenders()) impl_->tasks.push_back({group, std::move(c)});
 }

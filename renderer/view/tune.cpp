@@ -18,8 +18,10 @@ constexpr int kDispatches = 3;
 constexpr int kTries = 16;        ///< for a first one that meets the bound
 constexpr int kCheaperTries = 8;  ///< for a better one
 constexpr int kCurvePoints = 8;
-constexpr double kHorizon = 6;    ///< optical depth (docs/physics.md)
+constexpr double kHorizon = 5.5;  ///< optical depth (docs/physics.md)
+constexpr int kLastTries = 4;     ///< before it is said that none will do
 constexpr double kSafe = 0.9, kHopeful = 1.1, kLastHope = 2.0;  ///< expected p95 over the bound
+constexpr double kDensePart = 0.01;  ///< of the points behind the horizon that make one worth trying
 
 bool hasMetric(const ShadowSpec& s) { return s.kind == Kind::Extinction && s.metric.metric != shadow::Metric::None; }
 
@@ -96,6 +98,9 @@ struct Tuner::Impl {
   std::vector<int> resolutions;
   TuneModel model;
   int coarse = 256, tries = 0, cheaperTries = 0, lastTries = 0;
+  double hoped = 0;        ///< p95 the model expects of the candidate
+  double skew = 1;         ///< what came of it, over what was expected
+  double failedBytes = 0;
   std::size_t planned = 0;
 
   TuneCandidate candidate;  ///< at work: its lights one after the other
@@ -134,7 +139,8 @@ struct Tuner::Impl {
   Result<void> plan(const shadow::Gpu& gpu) {
     bool dense = false;
     for (const ShadowSamples& s : samples)
-      dense |= std::any_of(s.transmittance.begin(), s.transmittance.end(), [](double t) { return t < std::exp(-kHorizon); });
+      dense |= double(std::count_if(s.transmittance.begin(), s.transmittance.end(), [](double t) { return t < std::exp(-kHorizon); })) >
+               kDensePart * double(s.transmittance.size());
     configurations = tuneConfigurations(like, dense);
     if (configurations.empty()) return fail(Code::Input, "a ray-marched shadow has no parameters to tune");
     for (int r = options.minResolution; r <= options.maxResolution; r *= 2) resolutions.push_back(r);
@@ -168,31 +174,31 @@ struct Tuner::Impl {
     return out;
   }
 
-  std::optional<ShadowSpec> nextForP95() {
+  /// The least that is expected to do; then, between what failed and what did, halving the list of what might do for less.
+  std::optional<TunePoint> nextForP95() {
     const auto found = best();
-    const auto all = expected();
-    const TunePoint* pick = nullptr;
-    const auto cheapest = [&](double upTo) {
+    auto all = expected();
+    for (TunePoint& p : all) p.p95 *= skew;
+    const auto least = [&](double upTo, auto value) {
+      const TunePoint* pick = nullptr;
       for (const TunePoint& p : all)
-        if (p.p95 <= upTo && (!found || p.bytes < double(found->bytes)) && (!pick || p.bytes < pick->bytes)) pick = &p;
+        if (p.p95 <= upTo * goal.limit && (!pick || value(p) < value(*pick))) pick = &p;
+      return pick ? std::optional(*pick) : std::nullopt;
     };
-    if (!found && tries < kTries) {
-      cheapest(kSafe * goal.limit);
-      ++tries;
+    if (!found) {
+      if (tries++ < kTries)
+        if (auto pick = least(kSafe, [](const TunePoint& p) { return std::pair(p.bytes, p.p95); })) return pick;
+      return lastTries++ < kLastTries ? least(kLastHope, [](const TunePoint& p) { return std::pair(p.p95, p.bytes); }) : std::nullopt;
     }
-    if (found && cheaperTries < kCheaperTries) {
-      cheapest(kHopeful * goal.limit);
-      ++cheaperTries;
-    }
-    if (!found && !pick && lastTries < 4) {  // the most accurate ones, before it is said that none will do
-      for (const TunePoint& p : all)
-        if (p.p95 <= kLastHope * goal.limit && (!pick || p.p95 < pick->p95)) pick = &p;
-      ++lastTries;
-    }
-    return pick ? std::optional(pick->spec) : std::nullopt;
+    std::sort(all.begin(), all.end(), [](const TunePoint& a, const TunePoint& b) { return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95); });
+    std::vector<TunePoint> front;
+    for (const TunePoint& p : all)
+      if (p.bytes > failedBytes && p.bytes < double(found->bytes) && p.p95 <= kHopeful * goal.limit && (front.empty() || p.p95 < front.back().p95)) front.push_back(p);
+    if (front.empty() || cheaperTries++ == kCheaperTries) return std::nullopt;
+    return front[front.size() / 2];
   }
 
-  std::optional<ShadowSpec> nextForCost() {
+  std::optional<TunePoint> nextForCost() {
     if (tries++ == kTries) return std::nullopt;
     const auto found = best();
     const auto all = expected();
@@ -202,7 +208,7 @@ struct Tuner::Impl {
       if (cost <= goal.limit && (!pick || std::pair(p.p95, p.bytes) < std::pair(pick->p95, pick->bytes))) pick = &p;
     }
     if (!pick || (found && pick->p95 > kHopeful * found->p95)) return std::nullopt;
-    return pick->spec;
+    return *pick;
   }
 
   /// The expected front at every doubling of memory, up to 8 times what the goal takes.
@@ -237,7 +243,10 @@ struct Tuner::Impl {
     }
     if (stage == Stage::Configurations && queue.empty()) stage = Stage::Search;
     if (stage == Stage::Search) {
-      if (auto spec = goal.bound == TuneBound::P95 ? nextForP95() : nextForCost()) return spec;
+      if (const auto p = goal.bound == TuneBound::P95 ? nextForP95() : nextForCost()) {
+        hoped = p->p95 / skew;
+        return p->spec;
+      }
       queueCurve();
       stage = Stage::Curve;
     }
@@ -262,8 +271,11 @@ struct Tuner::Impl {
     if (++light < casters.size()) return {};
     light = 0;
     measured.push_back(candidate);
+    if (stage == Stage::Search && hoped > 0) {
+      skew = std::clamp(0.5 * (skew + candidate.p95 / hoped), 0.5, 2.0);
+      if (!meets(candidate, goal)) failedBytes = std::max(failedBytes, double(candidate.bytes));
+    }
     if (stage != Stage::Resolution) model.add(pointOf(candidate));
-    candidate = {};
     busy = false;
     return {};
   }
@@ -298,7 +310,7 @@ Result<double> Tuner::step(const shadow::Gpu& gpu, double ms) {
     if (!s.busy) {
       const auto spec = s.next();
       if (!spec) return 1.0;
-      s.candidate.spec = *spec;
+      s.candidate = {.spec = *spec};
       s.busy = true;
     }
     PILEUS_CHECK(s.stepMeasure(gpu, std::max(ms - clock.ms(), 1.0)));
@@ -329,7 +341,9 @@ std::string Tuner::doing() const {
   const Impl& s = *impl_;
   if (s.samples.empty()) return "Sampling light rays";
   if (s.stage == Impl::Stage::Done) return "Done";
-  return fmt::format("{}, {} texels", shadow::describe(s.candidate.spec), shadow::resolutionOf(s.candidate.spec));
+  if (!s.busy && s.measured.empty()) return "Starting";
+  const ShadowSpec& at = s.busy ? s.candidate.spec : s.measured.back().spec;
+  return fmt::format("{}, {} texels", shadow::describe(at), shadow::resolutionOf(at));
 }
 
 }  // namespace pileus::view

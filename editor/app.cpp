@@ -54,6 +54,7 @@ void evaluate(Editor& editor) {
     editor.window->waitEvents(0);
   }
   if (editor.window->inputPending()) return;
+  if (const double left = kSliceMs - clock.ms(); left > 0) stepCompare(editor, left);
   if (auto outcome = editor.exporter.step()) {
     if (*outcome)
       editor.messages.info("Exported " + outcome->value().string());
@@ -85,10 +86,15 @@ void handleWindow(Editor& editor) {
                           " \xe2\x80\x93 Pileus");
 }
 
+/// Is there work that can go on at once?
+bool busy(const Editor& editor) {
+  return editor.preview.wantsFrame() || editor.exporter.wantsFrame() || compareWantsFrame(editor);
+}
+
 /// Seconds until the next frame is due when nothing happens; 0 = at once.
 double idleSeconds(const Editor& editor, int settling) {
   if (settling > 0 || editor.window->inputPending()) return 0;
-  if (editor.preview.wantsFrame() || editor.exporter.wantsFrame()) return 0;
+  if (busy(editor)) return 0;
   if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
   if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
   if (editor.viewport.wheelEdit) return 0.25;
@@ -104,7 +110,10 @@ void loop(Editor& editor) {
     editor.window->beginFrame();
     settling = editor.window->hadInput() ? 3 : std::max(0, settling - 1);
     drawFrame(editor);
+    const bool worked = busy(editor), unfinished = !editor.preview.complete();
     evaluate(editor);
+    // What the last step of some work has changed is drawn by one frame more.
+    if (worked || (unfinished && editor.preview.complete())) settling = std::max(settling, 1);
     handleWindow(editor);
     editor.window->endFrame(palette::kBackground);
     editor.trace.end(editor);

@@ -27,6 +27,7 @@ void documentReplaced(Editor& editor) {
   editor.viewport.freeCamera.reset();
   editor.viewport.colorsOf = "\n";
   editor.preview.forgetPicture();
+  editor.scope = RayScope{};
 }
 
 }  // namespace pileus::editor

@@ -4,12 +4,14 @@
 #include <memory>
 #include <string>
 
+#include "editor/compare_mode.h"
 #include "editor/dialogs.h"
 #include "editor/exporter.h"
 #include "editor/file_browser.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/messages.h"
 #include "editor/panels/parameters.h"
+#include "editor/panels/ray_scope.h"
 #include "editor/panels/viewport.h"
 #include "editor/preview.h"
 #include "editor/settings.h"
@@ -22,7 +24,7 @@
 namespace pileus::editor {
 
 /// Panels that have keys of their own; Global ones work everywhere.
-enum class Panel { Global, Viewport, Graph, Parameters, Log };
+enum class Panel { Global, Viewport, Graph, Parameters, Scope, Log };
 
 struct Editor {
   Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)
@@ -41,6 +43,8 @@ struct Editor {
   Preview preview;
   Exporter exporter;
   Viewport viewport;
+  CompareMode compare;
+  RayScope scope;
   Canvas canvas;
   Parameters parameters;
   FileBrowser browser;

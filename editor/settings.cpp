@@ -50,9 +50,11 @@ Settings settingsFromText(std::string_view text) {
   read(j, "viewportShare", s.viewportShare, 0.15, 0.85);
   read(j, "parametersWidth", s.parametersWidth, 240, 900);
   read(j, "logHeight", s.logHeight, 60, 800);
+  read(j, "scopeWidth", s.scopeWidth, 280, 1200);
   read(j, "viewportResolution", s.viewportResolution, 0.125, 2);
   read(j, "showTimes", s.showTimes);
   read(j, "showLog", s.showLog);
+  read(j, "showScope", s.showScope);
   read(j, "recentFiles", s.recentFiles);
   read(j, "recentNodes", s.recentNodes);
   read(j, "recentFolders", s.recentFolders);
@@ -64,9 +66,11 @@ std::string settingsText(const Settings& s) {
                   {"viewportShare", s.viewportShare},
                   {"parametersWidth", s.parametersWidth},
                   {"logHeight", s.logHeight},
+                  {"scopeWidth", s.scopeWidth},
                   {"viewportResolution", s.viewportResolution},
                   {"showTimes", s.showTimes},
                   {"showLog", s.showLog},
+                  {"showScope", s.showScope},
                   {"recentFiles", s.recentFiles},
                   {"recentNodes", s.recentNodes},
                   {"recentFolders", s.recentFolders}};

@@ -17,7 +17,9 @@ struct Settings {
   double logHeight = 160;         ///< design pixels
   double viewportResolution = 1;  ///< rendered pixels per panel pixel
   bool showTimes = false;         ///< milliseconds on nodes
+  double scopeWidth = 420;        ///< design pixels
   bool showLog = false;
+  bool showScope = false;
   std::vector<std::string> recentFiles;    ///< absolute, newest first
   std::vector<std::string> recentNodes;    ///< node type ids, newest first
   std::vector<std::string> recentFolders;  ///< of the file browser, newest first

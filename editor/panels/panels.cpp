@@ -11,6 +11,7 @@
 #include "editor/menu.h"
 #include "editor/panels/log.h"
 #include "editor/panels/parameters.h"
+#include "editor/panels/ray_scope.h"
 #include "editor/panels/status.h"
 #include "editor/panels/viewport.h"
 
@@ -22,7 +23,7 @@ struct Rect {
 };
 
 struct Areas {
-  Rect viewport, graph, parameters, log, status;
+  Rect viewport, graph, scope, parameters, log, status;
 };
 
 constexpr float kGap = 4;  // design pixels between panels: the splitter
@@ -38,11 +39,15 @@ Areas areasOf(const Editor& editor, float top) {
   const float main = bottom - log;
   const float right = std::clamp(theme.px(static_cast<float>(s.parametersWidth)), theme.px(240),
                                  std::max(theme.px(240), display.x - theme.px(360)));
-  const float x = display.x - right - gap;
+  const float parameters = display.x - right - gap;
+  // The scope leaves the viewport room.
+  const float scope = s.showScope ? std::clamp(theme.px(static_cast<float>(s.scopeWidth)), theme.px(280), std::max(theme.px(280), parameters - theme.px(360))) + gap : 0;
+  const float x = parameters - scope;
   const float y = std::round(top + (main - top - gap) * static_cast<float>(s.viewportShare));
   return {{{0, top}, {x, y}},
           {{0, y + gap}, {x, main}},
-          {{x + gap, top}, {display.x, main}},
+          {{x + gap, top}, {parameters, main}},
+          {{parameters + gap, top}, {display.x, main}},
           {{0, main + gap}, {display.x, bottom}},
           {{0, bottom}, display}};
 }
@@ -97,8 +102,12 @@ void drawSplitters(Editor& editor, const Areas& a) {
   bool released = false;
   const float dx =
       splitter(editor, "splitter/parameters",
-               {{a.viewport.max.x, a.viewport.min.y}, {a.parameters.min.x, a.graph.max.y}}, true, released);
+               {{a.parameters.min.x - editor.theme.px(kGap), a.viewport.min.y}, {a.parameters.min.x, a.graph.max.y}}, true, released);
   s.parametersWidth = std::clamp(s.parametersWidth - static_cast<double>(dx) / scale, 240.0, 900.0);
+  if (s.showScope) {
+    const float ds = splitter(editor, "splitter/scope", {{a.viewport.max.x, a.viewport.min.y}, {a.scope.min.x, a.graph.max.y}}, true, released);
+    s.scopeWidth = std::clamp(s.scopeWidth - static_cast<double>(ds) / scale, 280.0, 1200.0);
+  }
   const float dy =
       splitter(editor, "splitter/graph",
                {{a.viewport.min.x, a.viewport.max.y}, {a.viewport.max.x, a.graph.min.y}}, false, released);
@@ -131,6 +140,12 @@ void drawPanels(Editor& editor) {
   drawCanvasMenu(editor);
   drawSearch(editor);
   ImGui::End();
+
+  if (editor.settings.showScope) {
+    over(beginPanel("##scope", a.scope), Panel::Scope);
+    drawRayScope(editor, a.scope.min, a.scope.max);
+    ImGui::End();
+  }
 
   over(beginPanel("##parameters", a.parameters), Panel::Parameters);
   drawParameters(editor, a.parameters.min, a.parameters.max);

@@ -9,6 +9,9 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
+#include "editor/panels/compare_bar.h"
+#include "editor/panels/compare_view.h"
+#include "editor/panels/ray_scope.h"
 #include "editor/panels/viewport_bar.h"
 #include "editor/panels/viewport_camera.h"
 #include "renderer/view/picture.h"
@@ -32,7 +35,7 @@ void updateColors(Editor& editor) {
   if (viewport.colorsOf == wanted) return;
   viewport.colorsOf = wanted;
   viewport.colorError.clear();
-  viewport.drawnPicture = nullptr;
+  for (Viewport::Drawn& drawn : viewport.drawn) drawn.picture.reset();
   std::filesystem::path path = wanted;
   if (!wanted.empty() && path.is_relative() && !editor.document.path().empty())
     path = editor.document.path().parent_path() / path;
@@ -45,34 +48,11 @@ void updateColors(Editor& editor) {
   viewport.colors = config ? *config : nullptr;
 }
 
-/// Redraws the display texture where the picture or the transform has changed.
-void updateTexture(Editor& editor, ivec2 size) {
-  Viewport& viewport = editor.viewport;
-  const auto& picture = editor.preview.picture();
-  if (!picture || !viewport.colors) return void(viewport.texture = 0);
-  const view::DisplaySettings settings = displaySettings(editor);
-  if (viewport.drawnPicture == picture.get() && viewport.drawnFraction == picture->fraction &&
-      viewport.drawnSamples == picture->samples && viewport.drawnSize == size &&
-      viewport.drawnSettings == settings && viewport.texture)
-    return;
-  Result<unsigned> texture =
-      viewport.display.draw(picture->color, picture->size, size, *viewport.colors, settings);
-  if (!texture && viewport.colorError != texture.error().message) {
-    // A display or view this configuration does not have: say so, and show its default.
-    viewport.colorError = texture.error().message;
-    editor.messages.warn(viewport.colorError);
-  }
-  if (!texture)
-    texture = viewport.display.draw(picture->color, picture->size, size, *viewport.colors,
-                                    {"", "", settings.exposure});
-  else
-    viewport.colorError.clear();
-  viewport.texture = texture ? *texture : 0;
-  viewport.drawnPicture = picture.get();
-  viewport.drawnFraction = picture->fraction;
-  viewport.drawnSamples = picture->samples;
-  viewport.drawnSize = size;
-  viewport.drawnSettings = settings;
+/// While a click picks a ray, a drag begins with a move.
+bool onlyAClick(const Editor& editor) {
+  const float reach = editor.theme.px(4);
+  return editor.scope.picking && editor.viewport.drag == Viewport::Drag::Orbit &&
+         ImGui::GetIO().MouseDragMaxDistanceSqr[0] < reach * reach;
 }
 
 Viewport::Drag dragOf(const ImGuiIO& io) {
@@ -94,7 +74,8 @@ void moveCamera(Editor& editor, float pictureHeight, bool hovered) {
     const dvec2 moved = fine *
                         dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)) /
                         static_cast<double>(std::max(pictureHeight, 1.0f));
-    if (moved != dvec2(0)) {
+    const bool click = onlyAClick(editor);
+    if (moved != dvec2(0) && !click) {
       const scene::Camera camera = currentCamera(editor);
       if (viewport.drag == Drag::Orbit)
         setCamera(editor, orbited(camera, moved * kPi), "Orbit camera", "camera drag");
@@ -105,6 +86,8 @@ void moveCamera(Editor& editor, float pictureHeight, bool hovered) {
                   "camera drag");
     }
     if (!ImGui::IsAnyMouseDown()) {
+      if (click)
+        if (const auto uv = pictureUv(viewport, vec(io.MousePos))) pickRay(editor, dvec2(*uv));
       viewport.drag = Drag::None;
       editor.document.endMerge();
     }
@@ -146,7 +129,9 @@ void drawProgress(Editor& editor, vec2 lo, vec2 hi) {
   else
     text = fmt::format("{} %", percent);
   const Theme& theme = editor.theme;
-  drawChip(theme, lo + vec2(theme.space(2)), text, palette::kText);
+  // In compare mode the upper corners hold the names of the sides.
+  const float below = editor.compare.on ? theme.px(28) : 0;
+  drawChip(theme, lo + vec2(theme.space(2), theme.space(2) + below), text, palette::kText);
   editor.trace.note("chip", text);
   const float height = theme.px(2);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -192,32 +177,82 @@ void drawNotice(Editor& editor, vec2 lo, vec2 hi) {
 
 }  // namespace
 
+unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size, std::size_t slot) {
+  Viewport& viewport = editor.viewport;
+  Viewport::Drawn& drawn = viewport.drawn.at(slot);
+  if (!picture || !viewport.colors) {
+    drawn.picture.reset();
+    return 0;
+  }
+  const view::DisplaySettings settings = displaySettings(editor);
+  if (drawn.picture == picture && drawn.fraction == picture->fraction && drawn.samples == picture->samples && drawn.size == size &&
+      drawn.settings == settings && drawn.texture)
+    return drawn.texture;
+  const auto draw = [&](const view::DisplaySettings& s) {
+    return viewport.display.draw(picture->color, picture->size, size, *viewport.colors, s, static_cast<int>(slot));
+  };
+  Result<unsigned> texture = draw(settings);
+  if (!texture && viewport.colorError != texture.error().message) {
+    // A display or view this configuration does not have: say so, and show its default.
+    viewport.colorError = texture.error().message;
+    editor.messages.warn(viewport.colorError);
+  }
+  if (!texture)
+    texture = draw({"", "", settings.exposure});
+  else
+    viewport.colorError.clear();
+  drawn = {picture, picture->fraction, picture->samples, size, settings, texture ? *texture : 0};
+  return drawn.texture;
+}
+
+std::optional<vec2> pictureUv(const Viewport& viewport, vec2 screen) {
+  for (const Viewport::Rect& r : viewport.shown) {
+    const vec2 uv = (screen - r.min) / glm::max(r.max - r.min, vec2(1));
+    if (glm::all(glm::greaterThanEqual(uv, vec2(0))) && glm::all(glm::lessThan(uv, vec2(1)))) return uv;
+  }
+  return std::nullopt;
+}
+
 void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered) {
   const Theme& theme = editor.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
+  Viewport& viewport = editor.viewport;
   updateColors(editor);
+  followPicture(editor);
   draw->AddRectFilled(panelMin, panelMax, palette::kBackground);
   const float bar = theme.px(36);
   drawViewportBar(editor, panelMin, {panelMax.x, panelMin.y + bar});
 
+  // What is rendered does not depend on the compare bar: coming and going, it would begin the picture anew.
   vec2 lo = vec(panelMin) + vec2(0, bar), hi = vec(panelMax);
   fit(editor, lo, hi);
   const vec2 wanted = (hi - lo) * static_cast<float>(editor.settings.viewportResolution);
-  editor.viewport.renderSize = glm::clamp(ivec2(glm::round(wanted)), ivec2(8),
-                                          glm::max(editor.document.graph().settings.size, ivec2(8)));
-  updateTexture(editor, ivec2(hi - lo));
-  draw->AddRectFilled(im(lo), im(hi), IM_COL32_BLACK);
-  if (editor.viewport.texture) {
-    draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(editor.viewport.texture)),
-                   im(lo), im(hi));
-    const auto& picture = editor.preview.picture();
-    editor.trace.note("picture",
-                      fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
+  viewport.renderSize = glm::clamp(ivec2(glm::round(wanted)), ivec2(8), glm::max(editor.document.graph().settings.size, ivec2(8)));
+  float top = panelMin.y + bar, bottom = panelMax.y;
+  if (editor.compare.on) {
+    drawCompareBar(editor, {panelMin.x, top}, {panelMax.x, top + bar});
+    top += bar;
+    bottom -= theme.px(34);
+    drawCompareFigures(editor, {panelMin.x, bottom}, vec(panelMax));
+    lo = {panelMin.x, top}, hi = {panelMax.x, bottom};
+    fit(editor, lo, hi);
   }
+  const auto& picture = editor.preview.picture();
+  viewport.texture = displayTexture(editor, picture, ivec2(hi - lo), 0);
+  viewport.shown = {{lo, hi}};
+  const bool onPicture = hovered && ImGui::GetIO().MousePos.y > top && ImGui::GetIO().MousePos.y < bottom;
+  if (!editor.compare.on || !viewport.texture) draw->AddRectFilled(im(lo), im(hi), IM_COL32_BLACK);
+  if (viewport.texture) {
+    if (editor.compare.on)
+      drawComparison(editor, lo, hi, {panelMin.x, top}, {panelMax.x, bottom}, onPicture);
+    else
+      draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(viewport.texture)), im(lo), im(hi));
+    editor.trace.note("picture", fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
+  }
+  drawPickedRay(editor);
   drawNotice(editor, lo, hi);
   drawProgress(editor, lo, hi);
-  const bool onPicture = hovered && ImGui::GetIO().MousePos.y > panelMin.y + bar;
-  moveCamera(editor, hi.y - lo.y, onPicture);
+  moveCamera(editor, hi.y - lo.y, onPicture && !editor.compare.draggingWipe);
   editor.trace.rect("viewport", im(lo), im(hi));
 }
 

@@ -3,13 +3,16 @@
 // the pointer.
 #include <imgui.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/image/color.h"
 #include "renderer/scene/camera.h"
 #include "renderer/view/display.h"
+#include "renderer/view/picture.h"
 #include "renderer/view/renderer.h"
 
 namespace pileus::editor {
@@ -32,15 +35,29 @@ struct Viewport {
   std::string colorsOf = "\n";  ///< settings.ocio the config was loaded for
   std::string colorError;
 
-  // What the display texture was drawn from.
-  const void* drawnPicture = nullptr;
-  double drawnFraction = -1;
-  int drawnSamples = -1;
-  ivec2 drawnSize{0};
-  view::DisplaySettings drawnSettings;
-  unsigned texture = 0;
+  /// A picture through the display transform, and what it was drawn from.
+  struct Drawn {
+    std::shared_ptr<const view::Picture> picture;
+    double fraction = -1;
+    int samples = -1;
+    ivec2 size{0};
+    view::DisplaySettings settings;
+    unsigned texture = 0;
+  };
+  std::array<Drawn, 2> drawn;  ///< the picture, and beside it the truth it is compared with
+  unsigned texture = 0;        ///< of the picture; 0 = none
+
+  struct Rect {
+    vec2 min{0}, max{0};
+  };
+  std::vector<Rect> shown;  ///< where the picture is on the screen: more than once when halves are compared
 };
 
 void drawViewport(Editor& editor, ImVec2 min, ImVec2 max, bool hovered);
+/// `picture` through the shown output's display transform; redrawn only where something has changed. 0: it
+/// cannot be. Slot 0 is the viewport's own.
+unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size, std::size_t slot);
+/// Position in the picture, [0,1]^2 with y down, of a point of the screen; none beside it.
+std::optional<vec2> pictureUv(const Viewport& viewport, vec2 screen);
 
 }  // namespace pileus::editor

@@ -71,8 +71,8 @@ Result<void> ComparePass::measureRadiance() {
 vec3 falseColour(double e) {
   // Near black in the middle; then the hue, then brighter: the sign is read from the hue, the size from the lightness.
   constexpr vec3 kMiddle(0.085f, 0.09f, 0.1f);
-  constexpr vec3 kDark[3] = {{0.10f, 0.28f, 0.62f}, {0.25f, 0.58f, 0.98f}, {0.80f, 0.93f, 1.0f}};
-  constexpr vec3 kLeak[3] = {{0.60f, 0.14f, 0.12f}, {0.97f, 0.42f, 0.20f}, {1.0f, 0.90f, 0.62f}};
+  constexpr vec3 kDark[3] = {{0.10f, 0.28f, 0.62f}, {0.25f, 0.58f, 0.98f}, {0.66f, 0.88f, 1.0f}};
+  constexpr vec3 kLeak[3] = {{0.60f, 0.14f, 0.12f}, {0.97f, 0.42f, 0.20f}, {1.0f, 0.84f, 0.46f}};
   const vec3* side = e < 0 ? kDark : kLeak;
   const float t = 3.0f * static_cast<float>(std::clamp(std::abs(e), 0.0, 1.0));
   if (t < 1) return glm::mix(kMiddle, side[0], t);

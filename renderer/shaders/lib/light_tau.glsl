@@ -24,14 +24,15 @@ Incidence unshadowed(int l, vec3 p) {
 #endif
 }
 
-float lightTauTowards(int l, vec3 p, vec3 towards, float distance) {
+// `inMedium`: p is a point of a medium, not of a surface.
+float lightTauTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium) {
   float tau = 0.0;
 #if LIGHT_KINDS & 26
 #if LIGHT_KINDS & 5
   int shadow = lights[l].shadow.x;
   if (shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH)
 #endif
-    tau = lookupTau(l, p);
+    tau = lookupTau(l, p, inMedium);
 #endif
 #if LIGHT_KINDS & 4
   int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0;
@@ -42,16 +43,16 @@ float lightTauTowards(int l, vec3 p, vec3 towards, float distance) {
   return tau;
 }
 
-// Optical depth between p and light l.
+// Optical depth between p, in a medium, and light l.
 float lightTau(int l, vec3 p) {
   Incidence i = unshadowed(l, p);
-  return lightTauTowards(l, p, i.towards, i.distance);
+  return lightTauTowards(l, p, i.towards, i.distance, true);
 }
 
 // E(p) [W/m^2] of light l on a surface that faces it, shadows included.
-vec3 lightArriving(int l, vec3 p, out vec3 towards) {
+vec3 lightArriving(int l, vec3 p, bool inMedium, out vec3 towards) {
   Incidence i = unshadowed(l, p);
   towards = i.towards;
-  float transmittance = exp(-lightTauTowards(l, p, i.towards, i.distance));
+  float transmittance = exp(-lightTauTowards(l, p, i.towards, i.distance, inMedium));
   return i.irradiance * (transmittance * solidVisibility(l, p, i.towards, i.distance));
 }

@@ -37,12 +37,13 @@ float intervalWhole(float m[METRIC_FLOATS], float w[kIntervals]) {
 }
 
 // May the metrics of neighbouring texels be blended? Not when an interval of one has no counterpart in the other: ends further apart
-// than a tenth of the shorter one, or shares of u that differ by more than a tenth (measured: shifts of 6 % blend well).
+// than half the shorter one, or shares of u that differ by more than a tenth (measured on brick runs: 0.1, 0.5 and 1 give the same mean
+// error, but half as many texels are told apart).
 bool intervalsMatch(float m[METRIC_FLOATS], float w[kIntervals], float o[METRIC_FLOATS], float v[kIntervals]) {
   bool match = true;
   for (int j = 0; j < kIntervals; ++j) {
     float shorter = min(m[2 * j + 1] - m[2 * j], o[2 * j + 1] - o[2 * j]);
-    match = match && max(abs(m[2 * j] - o[2 * j]), abs(m[2 * j + 1] - o[2 * j + 1])) <= 0.1 * shorter;
+    match = match && max(abs(m[2 * j] - o[2 * j]), abs(m[2 * j + 1] - o[2 * j + 1])) <= 0.5 * shorter;
   }
 #if WEIGHTS
   float a = max(intervalWhole(m, w), 1e-9), b = max(intervalWhole(o, v), 1e-9);

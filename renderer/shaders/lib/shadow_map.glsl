@@ -58,8 +58,9 @@ float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
 }
 
 // Within one kind of metric the hardware blends metric and coefficients and they are evaluated once; at silhouettes the four texels are
-// evaluated each by its own metric and transmittance is blended.
-float lookupExtinction(int light, int face, vec2 uv, float x) {
+// evaluated each by its own metric and transmittance is blended. `inMedium`: what is lit lies in a medium, so that a texel whose ray
+// meets none says nothing about it; to a surface such a texel is as good as any.
+float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   ivec4 place = lights[light].coefficients.place;
   int store = lights[light].coefficients.kind.x;
   vec2 f = uv * float(place.z) - 0.5, base = floor(f), w = f - base;
@@ -71,9 +72,8 @@ float lookupExtinction(int light, int face, vec2 uv, float x) {
     vec2 o = vec2(float(tap & 1), float(tap >> 1));
     bool covers;
     tau = extinctionTau(light, face, taps == 1 ? uv : (base + o + 0.5) / float(place.z), x, covers);
-    // What is lit here lies in a medium: a texel whose ray meets none says nothing about it.
     float weight = mix(1.0 - w.x, w.x, o.x) * mix(1.0 - w.y, w.y, o.y) + 1e-6;
-    weight *= covers ? 1.0 : 1e-6;
+    weight *= covers || !inMedium ? 1.0 : 1e-6;
     transmittance += weight * exp(-tau);
     weights += weight;
     ++tap;
@@ -122,16 +122,16 @@ float lookupDeep(int light, int face, vec2 uv, float x) {
 }
 
 // Optical depth between the light and a world position, by the light's map of whatever kind.
-float lookupTau(int light, vec3 world) {
+float lookupTau(int light, vec3 world, bool inMedium) {
   int face;
   vec3 q = mapCoordinates(light, world, float(lights[light].coefficients.place.z), face);
   float x = clamp(q.z, 0.0, 1.0), tau = 0.0;
   int kind = lights[light].shadow.x;
 #if (LIGHT_KINDS & 26) == 2
-  tau = lookupExtinction(light, face, q.xy, x);
+  tau = lookupExtinction(light, face, q.xy, x, inMedium);
 #else
 #if LIGHT_KINDS & 2
-  if (kind == SHADOW_EXTINCTION) tau = lookupExtinction(light, face, q.xy, x);
+  if (kind == SHADOW_EXTINCTION) tau = lookupExtinction(light, face, q.xy, x, inMedium);
 #endif
 #if LIGHT_KINDS & 8
   if (kind == SHADOW_TRANSMITTANCE) tau = lookupTransmittance(light, face, q.xy, x);
@@ -143,3 +143,5 @@ float lookupTau(int light, vec3 world) {
   bool outside = any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0))) || q.z <= 0.0;
   return outside ? 0.0 : tau;
 }
+
+float lookupTau(int light, vec3 world) { return lookupTau(light, world, true); }

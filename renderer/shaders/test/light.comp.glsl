@@ -13,7 +13,7 @@ void main() {
   outputs[5 * i] = vec4(unblocked.towards, unblocked.distance);
   outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTau(0, p));
   float visible = solidVisibility(0, p, unblocked.towards, unblocked.distance);
-  outputs[5 * i + 2] = vec4(lightArriving(0, p, towards), visible);
+  outputs[5 * i + 2] = vec4(lightArriving(0, p, true, towards), visible);
   int solid = -1;
   float t = kNoHit;
   if (solidCount > 0) t = nearestSolid(solidCount, p, inputs[2 * i + 1].xyz, solid, normal);

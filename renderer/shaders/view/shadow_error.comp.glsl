@@ -23,7 +23,7 @@ void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
   Incidence in_ = unshadowed(l, p);
   float reached = solidVisibility(l, p, in_.towards, in_.distance) * facing;
   if (reached <= 0.0 || all(lessThanEqual(in_.irradiance, vec3(0.0)))) return;
-  float mapped = exp(-lightTauTowards(l, p, in_.towards, in_.distance)), truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance));
+  float mapped = exp(-lightTauTowards(l, p, in_.towards, in_.distance, inMedium)), truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance, inMedium));
   float d = mapped - truth, magnitude = abs(d);
   transmittance += weight * reached * vec4(mapped, truth, 1.0, 0.0);
   error.x += weight * reached * d;

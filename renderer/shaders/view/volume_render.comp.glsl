@@ -28,7 +28,7 @@ vec3 reflected(int s, vec3 p, vec3 normal, float t) {
   int l = 0;
   do {
     vec3 towards;
-    vec3 arriving = lightArriving(l, off, towards);
+    vec3 arriving = lightArriving(l, off, false, towards);
     sum += arriving * max(dot(normal, towards), 0.0);
     ++l;
   } while (l < lightCount);
@@ -122,7 +122,7 @@ void main() {
         do {
 #endif
           vec3 towards;
-          vec3 arriving = lightArriving(l, p, towards);
+          vec3 arriving = lightArriving(l, p, true, towards);
           // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
           float cosine = dot(towards, d);
           vec3 factor = vec3(0.0);

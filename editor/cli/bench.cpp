@@ -18,7 +18,9 @@ struct Table {
 
 constexpr Table kTables[] = {
     {"first-picture", "First lit picture after start (default preset)", benchFirstPicture},
-    {"figure2", "Figure 2 of the paper: one ray family through the real maps", benchFigure2},
+    {"figure2", "Ray families through the real maps (figure 2 of the paper and beyond)", benchFigure2},
+    {"clouds", "Every representation on 76 clouds", benchCloudField},
+    {"three-clouds", "Picture and lookup: three clouds one behind the other", benchThreeClouds},
     {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},
 };
 

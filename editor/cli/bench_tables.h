@@ -19,6 +19,11 @@ int firstPictureChild();
 /// Mean |dT| of ray family "two" for the paper's budgets (docs/bench.md).
 Result<void> benchFigure2(const BenchSetup& setup);
 
+/// Every representation on 76 clouds: error, memory, time.
+Result<void> benchCloudField(const BenchSetup& setup);
+/// Picture error and lookup cost on three clouds one behind the other.
+Result<void> benchThreeClouds(const BenchSetup& setup);
+
 /// Frame time and radiance difference of the map against the march.
 Result<void> benchSpeed(const BenchSetup& setup);
 

@@ -19,6 +19,7 @@ struct In {
   shadow::Storage storage = shadow::Storage::Float;
   shadow::Weighting weighting = shadow::Weighting::Root;
   double horizon = 5.5;
+  bool compact = false;
 };
 
 struct Out {
@@ -41,6 +42,7 @@ void describe(Describe<In, Out>& d) {
   d.in("storage", &In::storage).help("Precision of the stored values.");
   d.in("weighting", &In::weighting).help("Interval only: how much of the metric an interval gets for its length.");
   d.in("horizon", &In::horizon).unit("optical depth").range(0, 1e4).soft(0, 20).help("Interval only: behind this optical depth nothing is resolved, so that a dense cloud's lit side gets all the coefficients; the total behind it is kept. 0: no horizon.");
+  d.in("compact", &In::compact).label("8-bit ends").help("Interval only: keeps interval ends in 8 bits, rounded outwards: a quarter or half of their memory, best spent on more coefficients. Too coarse where media are thinner than about a hundredth of the light's depth.");
   d.out("metric", &Out::metric).help("The map with its frustum, light and volumes: for Extinction Map.");
 }
 
@@ -50,7 +52,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   auto& queue = ctx.state<PassQueue<shadow::PseudometricPass>>();
   if (queue.passes.empty()) {
     shadow::MetricOptions options{in.representation, in.intervals, in.coefficients, draftResolution(in.resolution, ctx), in.storage, in.coverage};
-    if (in.representation == shadow::Metric::Interval) options.weighting = in.weighting, options.horizon = in.horizon;
+    if (in.representation == shadow::Metric::Interval) options.weighting = in.weighting, options.horizon = in.horizon, options.compact = in.compact;
     for (const scene::Light& light : lights)
       queue.passes.push_back(std::make_unique<shadow::PseudometricPass>(options, light, in.volumes.items, shadow::fitLight(light, in.volumes.items, options.resolution)));
   }

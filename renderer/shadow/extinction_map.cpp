@@ -10,7 +10,7 @@ ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Li
     : options_(options), map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, options.resolution, 64) {
   map_->light = light;
   map_->volumes = pass_.volumes();
-  map_->basis = options.basis;
+  map_->basis = options.basis == Basis::Piecewise ? Basis::Cosine : options.basis;  // no intervals
   map_->coefficients = options.coefficients;
   map_->storage = options.storage;
   map_->frustum = frustum;
@@ -21,6 +21,7 @@ ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Li
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric)
     : ExtinctionPass(options, metric->light, metric->volumes, metric->frustum) {
   map_->spec.metric = metric->options;
+  if (metric->options.metric == Metric::Interval) map_->basis = options.basis;
   map_->metric = std::move(metric);
 }
 

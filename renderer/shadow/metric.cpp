@@ -42,4 +42,17 @@ double metricU(Metric metric, std::span<const double> m, double x, std::span<con
   return whole > (metric == Metric::Interval ? 1e-6 / 255 : 1e-6) ? std::clamp(g / whole, 0.0, 1.0) : 0.0;
 }
 
+Piece pieceOf(std::span<const double> m, double x) {
+  Piece p{0, 0, 0};
+  for (std::size_t j = 0; j + 1 < m.size(); j += 2) {
+    if (!(m[j + 1] > m[j])) continue;
+    ++p.count;
+    if (j == 0 || m[j] <= x) p.index = int(j / 2);
+  }
+  const auto j = std::size_t(2 * p.index);
+  p.count = std::max(p.count, 1);
+  p.v = j + 1 < m.size() ? std::clamp((x - m[j]) / std::max(m[j + 1] - m[j], 1e-9), 0.0, 1.0) : 0;
+  return p;
+}
+
 }  // namespace pileus::shadow

@@ -22,7 +22,8 @@ PseudometricPass::PseudometricPass(const MetricOptions& options, const scene::Li
 
 Result<void> PseudometricPass::allocate(const Gpu& gpu) {
   const MetricOptions& o = map_->options;
-  const Texels texels = o.storage == Storage::Float ? Texels::Float : o.metric == Metric::Interval ? Texels::Unorm : Texels::Half;
+  const bool intervals = o.metric == Metric::Interval;
+  const Texels texels = intervals && o.compact ? Texels::Byte : o.storage == Storage::Float ? Texels::Float : intervals ? Texels::Unorm : Texels::Half;
   const int faces = map_->frustum.faces();
   PILEUS_TRY(map_->block, gpu.store.allocate(texels, o.resolution, metricFloats(o) / 4, faces));
   if (o.metric == Metric::Interval && o.weighting != Weighting::None) {

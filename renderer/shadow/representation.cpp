@@ -11,6 +11,7 @@ std::string describeMetric(const MetricOptions& m) {
   switch (m.metric) {
     case Metric::Interval: {
       std::string text = fmt::format("interval K={}", m.intervals);
+      if (m.compact) text += " in 8 bits";
       if (m.weighting == Weighting::Root) text += ", weights";
       if (m.horizon > 0) text += fmt::format(", horizon {:g}", m.horizon);
       return text;
@@ -26,6 +27,7 @@ std::string describeBasis(Basis b, int n) {
   switch (b) {
     case Basis::Cosine: return fmt::format("{} cosines", n);
     case Basis::Fourier: return fmt::format("{} Fourier", n);
+    case Basis::Piecewise: return fmt::format("{} cosines per interval", n);
     case Basis::Slab: break;
   }
   return fmt::format("{} slabs", n);
@@ -69,8 +71,8 @@ std::size_t bytesPerTexel(const ShadowSpec& s) {
       const MetricOptions& m = s.metric;
       std::size_t bytes = layers(s.extinction.coefficients) * layerBytes(s.extinction.storage);
       if (m.metric == Metric::None) return bytes;
-      bytes += layers(m.metric == Metric::Interval ? 2 * m.intervals : m.coefficients) * layerBytes(m.storage);
-      if (m.metric != Metric::Interval) return bytes;
+      if (m.metric != Metric::Interval) return bytes + layers(m.coefficients) * layerBytes(m.storage);
+      bytes += layers(2 * m.intervals) * (m.compact ? 4 : layerBytes(m.storage));
       if (m.weighting != Weighting::None) bytes += 4 * layers(m.intervals);
       if (m.horizon > 0) bytes += 4;
       return bytes;

@@ -35,12 +35,14 @@ constexpr auto enumInfo(Coverage*) {
 }
 
 /// The basis extinction is projected on, as a function of u = g / g(1).
-enum class Basis { Cosine, Fourier, Slab };
+enum class Basis { Cosine, Fourier, Slab, Piecewise };
 constexpr auto enumInfo(Basis*) {
   using B = Basis;
   return std::array{EnumItem<B>{B::Cosine, "cosine", "Cosine", "Cosines over [0,1]: the default, lowest error."},
                     EnumItem<B>{B::Fourier, "fourier", "Fourier", "Periodic series a0, a1, b1, ...: a labelled baseline; wraps at the ends."},
-                    EnumItem<B>{B::Slab, "slab", "Linear slabs", "Equal slabs of optical depth: no trigonometry, transmittance never rises."}};
+                    EnumItem<B>{B::Slab, "slab", "Linear slabs", "Equal slabs of optical depth: no trigonometry, transmittance never rises."},
+                    EnumItem<B>{B::Piecewise, "piecewise", "Cosines per interval",
+                                "Each interval of the metric has its own optical depth and its own cosines: exact behind every medium, and thin media keep their detail before dense ones without weights. Needs an interval metric; with another one it is the cosine basis."}};
 }
 
 /// How much of u an interval gets for its length.
@@ -69,6 +71,7 @@ struct MetricOptions {
   Coverage coverage = Coverage::Bricks;  ///< Interval only
   Weighting weighting = Weighting::None; ///< Interval only
   double horizon = 0;       ///< Interval only: optical depth behind which the metric ends; 0 = none
+  bool compact = false;     ///< Interval only: ends in 8 bits, rounded outwards, whatever `storage`
   bool operator==(const MetricOptions&) const = default;
 };
 

@@ -18,7 +18,15 @@ int metricCode(Metric m) {
   return METRIC_NONE;
 }
 
-int basisCode(Basis b) { return b == Basis::Cosine ? BASIS_COSINE : b == Basis::Fourier ? BASIS_FOURIER : BASIS_SLAB; }
+int basisCode(Basis b) {
+  switch (b) {
+    case Basis::Cosine: return BASIS_COSINE;
+    case Basis::Fourier: return BASIS_FOURIER;
+    case Basis::Slab: return BASIS_SLAB;
+    case Basis::Piecewise: break;
+  }
+  return BASIS_PIECEWISE;
+}
 
 int kindCode(ShadowMap::Kind k) {
   switch (k) {
@@ -77,7 +85,7 @@ gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) 
 }
 
 gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
-  int metricFloatsNeeded = 4, basis = 1, stores = 0, kinds = 0, weights = 0, horizon = 0;
+  int metricFloatsNeeded = 4, basis = 1, stores = 0, kinds = 0, weights = 0, horizon = 0, bases = 0;
   std::optional<std::array<int, 7>> common;  // kind, metric, its count, basis, coefficients, stores of the mapped lights
   bool uniform = true;
   for (const ShadowedLight& l : lights) {
@@ -94,6 +102,7 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
     const std::array<int, 7> choice{r.shadow.x, r.shadow.w, r.items.x, r.shadow.y, r.shadow.z, r.metric.kind.x, r.coefficients.kind.x};
     uniform = uniform && (!common || *common == choice);
     common = choice;
+    if (l.shadow->kind == ShadowMap::Kind::Extinction) bases |= 1 << r.shadow.y;
     weights |= r.solids.z & 1;
     horizon |= (r.solids.z >> 1) & 1;
     if (l.shadow->kind == ShadowMap::Kind::Deep) continue;
@@ -104,7 +113,7 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       stores |= 1 << r.metric.kind.x;
     }
   }
-  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}, {"WEIGHTS", weights}, {"HORIZON", horizon}};
+  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}, {"WEIGHTS", weights}, {"HORIZON", horizon}, {"LOOKUP_BASES", bases}};
   if (uniform && common) {
     const std::array<int, 7>& c = *common;
     defines.insert(defines.end(), {{"UNIFORM_MAPS", 1}, {"METRIC", c[1]}, {"METRIC_COUNT", c[2]}, {"BASIS", c[3]}, {"COEFFICIENTS", c[4]}, {"METRIC_STORE", c[5]}, {"COEFFICIENT_STORE", c[6]}});

@@ -70,6 +70,8 @@ TEST(Figure2, NamedFamilies) {
     std::printf("%-10s mean rms: Fourier 12 Euclidean %.4f, paper budget %.4f, interval K = 8 + cosine 8 %.4f, "
                 "with weights %.4f, with weights and horizon %.4f\n",
                 e.name, fourier, budget, even, weighted, all);
+    const double pieces = errorOf(scene, {Metric::Interval, 8}, Basis::Piecewise, 8).rms, pieces16 = errorOf(scene, {Metric::Interval, 8}, Basis::Piecewise, 16).rms;
+    std::printf("%-10s cosines per interval: 8 %.4f, 16 %.4f\n", e.name, pieces, pieces16);
     EXPECT_NEAR(fourier, e.fourier, 0.15 * e.fourier) << e.name;
     EXPECT_NEAR(budget, e.paper, 0.1 * e.paper) << e.name;
     EXPECT_LE(weighted, e.bound) << e.name;
@@ -95,6 +97,8 @@ TEST(Figure2, ThreeBoxesOnATenth) {
   EXPECT_LE(c8.p95Max, 0.15);
   EXPECT_LE(c16.mean, 0.0065);
   EXPECT_LE(c16.p95Max, 0.065);
+  print("cosines per interval 8", errorOf(scene, {Metric::Interval, 4}, Basis::Piecewise, 8));
+  print("cosines per interval 16", errorOf(scene, {Metric::Interval, 4}, Basis::Piecewise, 16));
   // Denser media: the map without an extinction horizon.
   const cli::RayError dense = interval(sceneOf(cli::threeBoxes(50)), 4, 8);
   print("tau 50, cosine 8", dense);
@@ -107,6 +111,7 @@ TEST(Figure2, ThreeBoxesOnATenth) {
   print("tau 50, horizon 5.5", horizon);
   print("  and weights", both);
   print("  slabs", slabs);
+  print("  cosines per interval", errorOf(thick, even, Basis::Piecewise, 8));
   print("  cosine 16", more);
   EXPECT_LE(horizon.mean, 0.003);
   EXPECT_LE(horizon.p95Max, 0.15);

@@ -47,6 +47,46 @@ void projectStep(int basis, inout float c[BASIS_FLOATS], float m, float u0, floa
   }
 }
 
+// Piecewise cosines: every interval of the metric has its own optical depth and its own cosines, shared out in turn: coefficient i belongs
+// to interval i modulo count, order i / count. No interval's detail is paid for by another, and each end is exact.
+// Adds m spread over [v0, v1] of interval j.
+void projectPiece(inout float c[BASIS_FLOATS], float m, int count, int j, float v0, float v1) {
+  float th = kPi * 0.5 * (v0 + v1), halfWidth = 0.5 * kPi * (v1 - v0), w = 2.0 * cos(th), previous = 0.5 * w, current = 1.0;
+  int k = 0, piece = 0;
+  for (int i = 0; i < BASIS_FLOATS; ++i) {
+    c[i] += piece == j ? (k == 0 ? m : 2.0 * m * current * sinc(float(k) * halfWidth)) : 0.0;
+    ++piece;
+    bool wrap = piece == count;
+    float next = w * current - previous;
+    previous = wrap ? current : previous;
+    current = wrap ? next : current;
+    k += wrap ? 1 : 0;
+    piece = wrap ? 0 : piece;
+  }
+}
+
+// Optical depth in front of v of interval j: all of the intervals before it, and its own series.
+float pieceTau(int n, float c[BASIS_FLOATS], int count, int j, float v) {
+  float w = 2.0 * cos(kPi * v), previous = 0.0, current = sin(kPi * v), before = 0.0, own = 0.0, within = 0.0;
+  int k = 0, piece = 0;
+  for (int i = 0; i < BASIS_FLOATS; ++i) {
+    if (i >= n) break;
+    bool first = k == 0, mine = piece == j;
+    before += first && piece < j ? c[i] : 0.0;
+    own += first && mine ? c[i] : 0.0;
+    within += !mine ? 0.0 : first ? c[i] * v : c[i] * current / (float(k) * kPi);
+    ++piece;
+    bool wrap = piece == count;
+    float next = w * current - previous;
+    bool advance = wrap && !first;
+    previous = advance ? current : previous;
+    current = advance ? next : current;
+    k += wrap ? 1 : 0;
+    piece = wrap ? 0 : piece;
+  }
+  return before + clamp(within, 0.0, max(own, 0.0));
+}
+
 // tau(u) from n coefficients, clamped to [0, tau(1)].
 float basisTau(int basis, int n, float c[BASIS_FLOATS], float u) {
   if (basis == BASIS_COSINE) {

@@ -67,6 +67,33 @@ float intervalU(float m[METRIC_FLOATS], float w[kIntervals], float x) {
   return whole > 1e-6 / 255.0 ? min(g / whole, 1.0) : 0.0;
 }
 
+float pieceBegin(float m[METRIC_FLOATS], int j) {
+  float a = m[0];
+  for (int k = 1; k < kIntervals; ++k) a = k == j ? m[2 * k] : a;
+  return a;
+}
+float pieceEnd(float m[METRIC_FLOATS], int j) {
+  float b = m[1];
+  for (int k = 1; k < kIntervals; ++k) b = k == j ? m[2 * k + 1] : b;
+  return b;
+}
+
+// The last interval that begins at or before x (the first one where none does), where x lies in it, and how many there are.
+void pieceOf(float m[METRIC_FLOATS], float x, out int count, out int j, out float v) {
+  count = 0, j = 0;
+  float a = m[0], b = m[1];
+  for (int k = 0; k < kIntervals; ++k) {
+    bool used = m[2 * k + 1] > m[2 * k];
+    bool here = used && (k == 0 || m[2 * k] <= x);
+    count += used ? 1 : 0;
+    j = here ? k : j;
+    a = here ? m[2 * k] : a;
+    b = here ? m[2 * k + 1] : b;
+  }
+  count = max(count, 1);
+  v = clamp((x - a) / max(b - a, 1e-9), 0.0, 1.0);
+}
+
 // Where the last interval ends; 0 without any.
 float intervalsEnd(float m[METRIC_FLOATS]) {
   float end = 0.0;

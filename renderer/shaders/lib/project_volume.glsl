@@ -56,7 +56,6 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
       i = max(next, i + 1);
     } while (more && i < n);
     float x0 = clamp((t0 + float(max(first, 0)) * ds) / ray.length, 0.0, 1.0), x1 = clamp((t0 + float(last) * ds) / ray.length, 0.0, 1.0);
-    float u0 = metricU(METRIC, METRIC_COUNT, m, w, x0), u1 = metricU(METRIC, METRIC_COUNT, m, w, x1);
     float depth = m0 * ds;
 #if HORIZON
     float front = clamp((end - x0) / max(x1 - x0, 1e-12), 0.0, 1.0);
@@ -64,7 +63,16 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
     p.last = depth > 0.0 ? max(p.last, x1) : p.last;
     depth *= front;
 #endif
-    projectStep(BASIS, p.c, depth, u0, u1);
+#if BASIS == BASIS_PIECEWISE
+    // A step belongs to the interval of its middle; what sticks out of it is laid on its end.
+    int count, j;
+    float v, a, b;
+    pieceOf(m, 0.5 * (x0 + x1), count, j, v);
+    a = pieceBegin(m, j), b = pieceEnd(m, j);
+    projectPiece(p.c, depth, count, j, clamp((x0 - a) / max(b - a, 1e-9), 0.0, 1.0), clamp((x1 - a) / max(b - a, 1e-9), 0.0, 1.0));
+#else
+    projectStep(BASIS, p.c, depth, metricU(METRIC, METRIC_COUNT, m, w, x0), metricU(METRIC, METRIC_COUNT, m, w, x1));
+#endif
   } while (i < n);
 }
 
@@ -74,12 +82,14 @@ vec4 projectionLayer(Projection p, int layer) {
   for (int j = 0; j < 4 && 4 * layer + j < BASIS_FLOATS; ++j) v[j] = p.c[4 * layer + j];
 #if DAMPING
   // Lanczos sigma factors sin(x)/x, x = k pi / (n + 1) for harmonic k of n.
+#if BASIS != BASIS_PIECEWISE
   for (int j = 0; j < 4 && 4 * layer + j < BASIS_FLOATS; ++j) {
     int i = 4 * layer + j;
     float k = BASIS == BASIS_FOURIER ? float((i + 1) / 2) : float(i), most = BASIS == BASIS_FOURIER ? float(BASIS_FLOATS / 2) : float(BASIS_FLOATS - 1);
     float x = kPi * k / (most + 1.0);
     v[j] *= k > 0.0 && BASIS != BASIS_SLAB ? sin(x) / x : 1.0;
   }
+#endif
 #endif
 #if STORE == STORE_HALF
   v = clamp(v, -65504.0, 65504.0);

@@ -22,20 +22,23 @@ vec4 sampleBlock(ivec4 place, int store, vec2 uv, int layer) {
   return textureLod(shadowFloat, vec3(at / vec2(textureSize(shadowFloat, 0).xy), l), 0.0);
 #elif STORES == 2
   return textureLod(shadowHalf, vec3(at / vec2(textureSize(shadowHalf, 0).xy), l), 0.0);
+#elif STORES == 8
+  return textureLod(shadowByte, vec3(at / vec2(textureSize(shadowByte, 0).xy), l), 0.0);
 #elif STORES == 4
   return textureLod(shadowUnorm, vec3(at / vec2(textureSize(shadowUnorm, 0).xy), l), 0.0);
 #else
   if (store == STORE_FLOAT) return textureLod(shadowFloat, vec3(at / vec2(textureSize(shadowFloat, 0).xy), l), 0.0);
   if (store == STORE_HALF) return textureLod(shadowHalf, vec3(at / vec2(textureSize(shadowHalf, 0).xy), l), 0.0);
+  if (store == STORE_BYTE) return textureLod(shadowByte, vec3(at / vec2(textureSize(shadowByte, 0).xy), l), 0.0);
   return textureLod(shadowUnorm, vec3(at / vec2(textureSize(shadowUnorm, 0).xy), l), 0.0);
 #endif
 }
 
 vec4 fetchBlock(ivec4 place, int store, ivec2 texel, int layer) {
   ivec3 p = ivec3(place.xy + clamp(texel, ivec2(0), ivec2(place.z - 1)), place.w + layer);
+  // Coefficients are float or half.
   if (store == STORE_FLOAT) return texelFetch(shadowFloat, p, 0);
-  if (store == STORE_HALF) return texelFetch(shadowHalf, p, 0);
-  return texelFetch(shadowUnorm, p, 0);
+  return texelFetch(shadowHalf, p, 0);
 }
 
 // Metric values and interval weights of a light at uv of a face.

@@ -1,6 +1,6 @@
 // Reading shadow maps: lookupTau is the one interface of all representations that keep something in the store.
 // Variant constants (shadow::lookupDefines): METRIC_FLOATS and BASIS_FLOATS (largest of the lights present), STORES, WEIGHTS, HORIZON,
-// LIGHT_KINDS (bit 1 extinction, 3 transmittance functions, 4 deep), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
+// LOOKUP_BASES (bit per BASIS_* of the extinction maps present), LIGHT_KINDS (bit 1 extinction, 3 transmittance functions, 4 deep), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
 // METRIC_COUNT, BASIS, COEFFICIENTS, so that nothing else is compiled in.
 #pragma once
 #include "lib/shadow_blocks.glsl"
@@ -13,22 +13,20 @@ int metricOf(int light) { return METRIC; }
 int metricCountOf(int light) { return METRIC_COUNT; }
 int basisOf(int light) { return BASIS; }
 int coefficientsOf(int light) { return COEFFICIENTS; }
+int coefficientStoreOf(int light) { return COEFFICIENT_STORE; }
 #else
 int metricOf(int light) { return lights[light].shadow.w; }
 int metricCountOf(int light) { return lights[light].items.x; }
 int basisOf(int light) { return lights[light].shadow.y; }
 int coefficientsOf(int light) { return lights[light].shadow.z; }
+int coefficientStoreOf(int light) { return lights[light].coefficients.kind.x; }
 #endif
 
 void loadCoefficients(int light, int face, vec2 uv, out float c[BASIS_FLOATS]) {
   ivec4 place = lights[light].coefficients.place;
   int layers = lights[light].coefficients.kind.y;
   place.w += face * layers;
-#ifdef COEFFICIENT_STORE
-  const int store = COEFFICIENT_STORE;
-#else
-  int store = lights[light].coefficients.kind.x;
-#endif
+  int store = coefficientStoreOf(light);
   for (int i = 0; i < BASIS_FLOATS; i += 4) {
     vec4 v = sampleBlock(place, store, uv, min(i / 4, layers - 1));
     for (int j = 0; j < 4 && i + j < BASIS_FLOATS; ++j) c[i + j] = v[j];
@@ -44,7 +42,21 @@ float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
   if (metric != METRIC_NONE) loadMetric(light, face, uv, m, w);
   loadCoefficients(light, face, uv, c);
   covers = metric != METRIC_INTERVAL || m[1] > m[0];
-  float tau = basisTau(basisOf(light), coefficientsOf(light), c, metricU(metric, metricCountOf(light), m, w, x));
+  float tau = 0.0;
+#if LOOKUP_BASES & 8
+  if (basisOf(light) == BASIS_PIECEWISE) {
+    int count, j;
+    float v;
+    pieceOf(m, x, count, j, v);
+    tau = pieceTau(coefficientsOf(light), c, count, j, v);
+  }
+#endif
+#if LOOKUP_BASES & 7
+#if LOOKUP_BASES & 8
+  if (basisOf(light) != BASIS_PIECEWISE)
+#endif
+    tau = basisTau(basisOf(light), coefficientsOf(light), c, metricU(metric, metricCountOf(light), m, w, x));
+#endif
 #if HORIZON
   // Behind the horizon: a ramp from what is in front of it to all there is.
   if ((lights[light].solids.z & 2) != 0) {
@@ -62,7 +74,7 @@ float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
 // meets none says nothing about it; to a surface such a texel is as good as any.
 float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   ivec4 place = lights[light].coefficients.place;
-  int store = lights[light].coefficients.kind.x;
+  int store = coefficientStoreOf(light);
   vec2 f = uv * float(place.z) - 0.5, base = floor(f), w = f - base;
   int taps = 1;
   if (metricOf(light) == METRIC_INTERVAL && mixedBit(fetchBlock(place, store, ivec2(base), face * lights[light].coefficients.kind.y), coefficientsOf(light), store)) taps = 4;

@@ -48,6 +48,11 @@ void main() {
   float front = BASIS == BASIS_FOURIER ? 0.5 * p.c[0] : p.c[0];
 #if BASIS == BASIS_SLAB
   for (int i = 1; i < BASIS_FLOATS; ++i) front += p.c[i];
+#elif BASIS == BASIS_PIECEWISE
+  int count, j;
+  float v;
+  pieceOf(m, 1.0, count, j, v);
+  for (int i = 1; i < BASIS_FLOATS; ++i) front += i < count ? p.c[i] : 0.0;
 #endif
   imageStore(horizonTarget, ivec3(lights[0].horizon.xy + mt.texel, lights[0].horizon.w + mt.face), vec4(min(front + p.behind, 65504.0), p.last, 0.0, 0.0));
 #endif

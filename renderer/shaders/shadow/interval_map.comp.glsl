@@ -10,6 +10,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #if STORE == STORE_FLOAT
 layout(rgba32f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
+#elif STORE == STORE_BYTE
+layout(rgba8, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
 #else
 layout(rgba16, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
 #endif
@@ -165,9 +167,10 @@ void main() {
   for (int layer = 0; layer < (INTERVALS + 1) / 2; ++layer) {
     vec4 v = vec4(a[2 * layer], b[2 * layer], 1.0, 1.0);
     if (2 * layer + 1 < INTERVALS) v.zw = vec2(a[2 * layer + 1], b[2 * layer + 1]);
-#if STORE == STORE_UNORM
-    v.xz = floor(v.xz * 65535.0) / 65535.0;  // outwards, so that the stored interval still holds the medium
-    v.yw = ceil(v.yw * 65535.0) / 65535.0;
+#if STORE != STORE_FLOAT
+    const float steps = STORE == STORE_BYTE ? 255.0 : 65535.0;
+    v.xz = floor(v.xz * steps) / steps;  // outwards, so that the stored interval still holds the medium
+    v.yw = ceil(v.yw * steps) / steps;
 #endif
     imageStore(target, ivec3(block.place.xy + mt.texel, block.place.w + mt.face * block.kind.y + layer), v);
   }

@@ -48,6 +48,7 @@ struct LevelRecord {
 #define BASIS_COSINE 0
 #define BASIS_FOURIER 1
 #define BASIS_SLAB 2
+#define BASIS_PIECEWISE 3
 
 #define STORE_FLOAT 0
 #define STORE_HALF 1

@@ -40,17 +40,23 @@ view::SheetOptions sheetOptions(const nodes::Graph& graph) {
   return o;
 }
 
+std::string label(const view::ShootoutEntry& e, const view::ShadowMeasure& m) {
+  return e.lights.size() > 1 ? fmt::format("{}, light {}", e.name, m.light + 1) : e.name;
+}
+
 void printTable(const std::vector<view::ShootoutEntry>& entries) {
   std::optional<view::ShootoutGroup> group;
+  std::size_t width = 0;
+  for (const view::ShootoutEntry& e : entries) width = std::max(width, label(e, e.lights.back()).size());
   for (const view::ShootoutEntry& e : entries) {
     if (group != e.group) {
       fmt::print("{}{}\n", group ? "\n" : "", e.group == view::ShootoutGroup::Truth ? "Truth" : e.group == view::ShootoutGroup::Defaults ? "Defaults" : "Equal memory");
-      fmt::print("{:<30} {:>9} {:>9} {:>9} {:>10} {:>10} {:>8} {:>6} {:>9} {:>10}\n", "representation", "mean |dT|", "p95", "max", "build ms", "ns/lookup", "B/texel",
+      fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>10} {:>10} {:>8} {:>6} {:>9} {:>10}\n", "representation", width, "mean |dT|", "p95", "max", "build ms", "ns/lookup", "B/texel",
                  "texels", "MiB", "relMSE");
       group = e.group;
     }
     for (const view::ShadowMeasure& m : e.lights)
-      fmt::print("{:<30} {:>9.5f} {:>9.4f} {:>9.3f} {:>10.2f} {:>10.1f} {:>8.1f} {:>6} {:>9.3f} {:>10.3e}\n", e.lights.size() > 1 ? fmt::format("{} (light {})", e.name, m.light + 1) : e.name,
+      fmt::print("{:<{}} {:>9.5f} {:>9.4f} {:>9.3f} {:>10.2f} {:>10.1f} {:>8.1f} {:>6} {:>9.3f} {:>10.3e}\n", label(e, m), width,
                  m.error.mean, m.error.p95, m.error.maximum, m.buildMs, m.nsPerLookup, m.bytesPerTexel, shadow::resolutionOf(m.spec), double(m.bytes) / (1 << 20), e.relMse);
   }
 }

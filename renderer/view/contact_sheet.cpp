@@ -11,6 +11,7 @@ using image::Face;
 
 constexpr vec3 kBackground(0.086f), kTile(0.129f), kRule(0.22f), kDim(0.58f), kText(0.93f), kAccent(0.55f, 0.78f, 1.0f);
 constexpr int kColumns = 5, kMargin = 40, kGap = 20, kPad = 10, kHeader = 118, kGroupHeader = 62, kCaption = 84;
+constexpr int kLeastContent = 300;    ///< pixels the text of a tile takes
 constexpr double kFullColour = 0.25;  ///< of the truth's 99th percentile of luminance
 constexpr std::size_t kBarSteps = 220;
 
@@ -19,8 +20,9 @@ double luminance(const float* p) { return 0.2722287 * double(p[0]) + 0.6740818 *
 
 struct Grid {
   ivec2 picture;
-  int columns, width;
-  ivec2 tile() const { return {picture.x + 2 * kPad, 2 * picture.y + kCaption + 2 * kPad + 4}; }
+  int columns;
+  int content() const { return std::max(picture.x, kLeastContent); }
+  ivec2 tile() const { return {content() + 2 * kPad, 2 * picture.y + kCaption + 2 * kPad + 4}; }
   int rows(std::size_t n) const { return (int(n) + columns - 1) / columns; }
   int height(std::size_t n) const { return kGroupHeader + rows(n) * (tile().y + kGap); }
   ivec2 origin(int top, std::size_t i) const {
@@ -66,36 +68,30 @@ std::string megabytes(std::size_t bytes) { return fmt::format("{:.2f} MiB", doub
 
 std::string milliseconds(double ms) { return ms < 10 ? fmt::format("{:.2f} ms", ms) : fmt::format("{:.0f} ms", ms); }
 
-/// "smallest error" and the like stand out.
-struct Best {
-  double mean = 1e9;
-};
-
 void drawTile(Canvas& canvas, ivec2 origin, const Grid& grid, const ShootoutEntry& e, const std::vector<float>& picture,
-              const std::vector<float>* diff, bool best) {
+              const std::vector<float>& diff, bool best) {
   canvas.fill(origin, grid.tile(), kTile);
   if (best) canvas.fill(origin, {grid.tile().x, 2}, kAccent);
-  const int left = origin.x + kPad, top = origin.y + kPad, end = left + grid.picture.x;
+  const int left = origin.x + kPad, top = origin.y + kPad, end = left + grid.content();
   const ShadowMeasure& m = e.worst();
-  image::drawText(canvas, {double(left), top + 15.0}, Face::Bold, 15, kText, image::fitText(Face::Bold, 15, e.name, grid.picture.x));
+  image::drawText(canvas, {double(left), top + 15.0}, Face::Bold, 15, kText, image::fitText(Face::Bold, 15, e.name, grid.content()));
   const auto row = [&](int line, const std::string& a, const std::string& b, vec3 color) {
     image::drawText(canvas, {double(left), top + 18.0 + 18.0 * line}, Face::Mono, 12, color, a);
     right(canvas, {double(end), top + 18.0 + 18.0 * line}, Face::Mono, 12, color, b);
   };
   row(1, fmt::format("mean {:.4f}  p95 {:.3f}", m.error.mean, m.error.p95), fmt::format("max {:.2f}", m.error.maximum), best ? kAccent : kText);
   if (e.bytes() > 0) {
-    const double perTexel = m.bytesPerTexel;
-    row(2, fmt::format("{}\u00b2  {} B", shadow::resolutionOf(m.spec), perTexel < 100 && perTexel != std::floor(perTexel) ? fmt::format("{:.1f}", perTexel) : fmt::format("{:.0f}", perTexel)), megabytes(e.bytes()), kDim);
+    const bool whole = m.bytesPerTexel == std::floor(m.bytesPerTexel);
+    row(2, fmt::format("{}\u00b2  {:.{}f} B", shadow::resolutionOf(m.spec), m.bytesPerTexel, whole ? 0 : 1), megabytes(e.bytes()), kDim);
     row(3, fmt::format("{:.0f} ns a lookup", m.nsPerLookup), milliseconds(e.buildMs()), kDim);
   } else {
     row(2, "no map", "", kDim);
     row(3, fmt::format("{:.0f} ns a lookup", m.nsPerLookup), "", kDim);
   }
-  const ivec2 at(left, top + kCaption);
+  const ivec2 at(left + (grid.content() - grid.picture.x) / 2, top + kCaption);
   canvas.paste(at, grid.picture, picture);
-  if (!diff) return;
-  canvas.paste(at + ivec2(0, grid.picture.y + 4), grid.picture, *diff);
-  right(canvas, {end - 6.0, at.y + 2.0 * grid.picture.y - 3}, Face::Mono, 11, kDim, fmt::format("relMSE {:.2e}", e.relMse));
+  canvas.paste(at + ivec2(0, grid.picture.y + 4), grid.picture, diff);
+  right(canvas, {at.x + grid.picture.x - 6.0, at.y + 2.0 * grid.picture.y - 3}, Face::Mono, 11, kDim, fmt::format("relMSE {:.2e}", e.relMse));
 }
 
 void drawHeader(Canvas& canvas, const SheetOptions& o) {
@@ -129,16 +125,16 @@ Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries, co
   std::vector<const ShootoutEntry*> groups[2];
   groups[0].push_back(&entries.front());
   for (std::size_t i = 1; i < entries.size(); ++i) groups[entries[i].group == ShootoutGroup::EqualMemory ? 1 : 0].push_back(&entries[i]);
-  Grid grid{truth.size, kColumns, 0};
-  grid.width = 2 * kMargin + kColumns * grid.tile().x + (kColumns - 1) * kGap;
+  const Grid grid{truth.size, kColumns};
   int height = kHeader + kMargin;
   for (const auto& g : groups) height += g.empty() ? 0 : grid.height(g.size());
-  Canvas canvas({grid.width, height}, kBackground);
+  Canvas canvas({2 * kMargin + kColumns * grid.tile().x + (kColumns - 1) * kGap, height}, kBackground);
   drawHeader(canvas, options);
-  int top = kHeader;
+  int top = kHeader, resolution = 0;
+  for (const ShootoutEntry* e : groups[0]) resolution = std::max(resolution, shadow::resolutionOf(e->worst().spec));
   for (int g = 0; g < 2; ++g) {
     if (groups[g].empty()) continue;
-    const std::string text = g == 0 ? "each representation as its node comes, all at one resolution"
+    const std::string text = g == 0 ? fmt::format("each with its usual parameters, in half floats, all at {0} \u00d7 {0} texels", resolution)
                                     : fmt::format("each map takes {}, as the improved map does in 32 bytes a texel", megabytes(groups[1].front()->bytes()));
     drawGroupHeader(canvas, top, g == 0 ? "Defaults" : "Equal memory", text);
     const auto error = [](const ShootoutEntry* e) { return e->group == ShootoutGroup::Truth ? 1e9 : e->worst().error.mean; };
@@ -147,7 +143,7 @@ Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries, co
       const ShootoutEntry& e = *groups[g][i];
       PILEUS_TRY(const std::vector<float> picture, displayed(e.picture, config, options));
       const std::vector<float> diff = difference(e.picture, truth, scale);
-      drawTile(canvas, grid.origin(top, i), grid, e, picture, &diff, &e == best && e.group != ShootoutGroup::Truth);
+      drawTile(canvas, grid.origin(top, i), grid, e, picture, diff, &e == best && e.group != ShootoutGroup::Truth);
     }
     top += grid.height(groups[g].size());
   }

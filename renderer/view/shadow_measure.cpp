@@ -1,16 +1,14 @@
 #include "renderer/view/shadow_measure.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "renderer/base/profile.h"
 
 namespace pileus::view {
 namespace {
 
-constexpr int kWarmUpResolution = 64;
 constexpr int kBuilds = 3;
-constexpr double kBuildMs = 400;  ///< a map is not built again once this is spent
+constexpr double kOnceMs = 5000, kTwiceMs = 500;  ///< a map that takes longer is built no more than once, or twice
 
 }  // namespace
 
@@ -41,34 +39,30 @@ MeasurePass::MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, c
     map_ = shadow::marchedShadow(caster.source, caster.volumes, caster.solids, spec.stepScale);
     return;
   }
-  if (dispatches > 0) warmUp_ = makePass(kWarmUpResolution);
-  pass_ = makePass(shadow::resolutionOf(spec));
+  startBuild();
 }
 
-std::unique_ptr<shadow::ShadowPass> MeasurePass::makePass(int resolution) const {
-  return std::make_unique<shadow::ShadowPass>(shadow::withResolution(measure_.spec, resolution), caster_.source, caster_.volumes, caster_.solids);
+void MeasurePass::startBuild() {
+  pass_ = std::make_unique<shadow::ShadowPass>(measure_.spec, caster_.source, caster_.volumes, caster_.solids);
+  thisBuildMs_ = 0;
 }
 
 Result<double> MeasurePass::step(const shadow::Gpu& gpu, double ms) {
-  if (warmUp_) {
-    PILEUS_TRY(const double done, warmUp_->step(gpu, ms));
-    if (done < 1) return 0.2 * done;
-    warmUp_.reset();
-    return 0.2;
-  }
   if (pass_) {
     glFinish();
     const Stopwatch clock;
     PILEUS_TRY(const double done, pass_->step(gpu, ms));
     glFinish();
     thisBuildMs_ += clock.ms();
-    if (done < 1) return 0.2 + 0.6 * (builds_ + done) / kBuilds;
+    if (done < 1) return 0.8 * (builds_ + done) / kBuilds;
     map_ = pass_->map();
-    measure_.buildMs = builds_ == 0 ? thisBuildMs_ : std::min(measure_.buildMs, thisBuildMs_);
-    spentMs_ += std::exchange(thisBuildMs_, 0.0);
-    if (++builds_ == kBuilds || dispatches_ == 0 || spentMs_ > kBuildMs) pass_.reset();
-    else pass_ = makePass(shadow::resolutionOf(measure_.spec));
-    return pass_ ? 0.2 + 0.6 * builds_ / kBuilds : 0.8;
+    pass_.reset();
+    // The first build compiles what it needs and is not counted, unless it is the only one.
+    measure_.buildMs = builds_ < 2 ? thisBuildMs_ : std::min(measure_.buildMs, thisBuildMs_);
+    spentMs_ += thisBuildMs_;
+    ++builds_;
+    if (dispatches_ > 0 && builds_ < kBuilds && spentMs_ < (builds_ == 1 ? kOnceMs : kTwiceMs)) startBuild();
+    return pass_ ? 0.8 * builds_ / kBuilds : 0.8;
   }
   PILEUS_TRY(const ProbeResult result, probe(gpu, *map_, samples_, dispatches_));
   measure_.error = result.error;

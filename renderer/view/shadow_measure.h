@@ -26,7 +26,7 @@ struct ShadowMeasure {
   int light = 0;
   shadow::ShadowSpec spec;
   ShadowError error;
-  double buildMs = 0;      ///< waited for, programs compiled before; the fastest of up to three
+  double buildMs = 0;      ///< waited for, and programs compiled before; the fastest of those that were timed
   double nsPerLookup = 0;
   std::size_t bytes = 0;
   double bytesPerTexel = 0;
@@ -44,14 +44,14 @@ class MeasurePass {
   std::shared_ptr<const shadow::ShadowMap> map() const { return map_; }
 
  private:
-  std::unique_ptr<shadow::ShadowPass> makePass(int resolution) const;
+  void startBuild();
   const Caster& caster_;
   const ShadowSamples& samples_;
   int dispatches_;
   ShadowMeasure measure_;
   int builds_ = 0;
-  double thisBuildMs_ = 0, spentMs_ = 0;
-  std::unique_ptr<shadow::ShadowPass> warmUp_, pass_;
+  double thisBuildMs_ = 0, spentMs_ = 0;  ///< spent: of all
+  std::unique_ptr<shadow::ShadowPass> pass_;
   std::shared_ptr<const shadow::ShadowMap> map_;
 };
 

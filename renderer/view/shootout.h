@@ -11,7 +11,7 @@ enum class ShootoutGroup { Truth, Defaults, EqualMemory };
 constexpr auto enumInfo(ShootoutGroup*) {
   using G = ShootoutGroup;
   return std::array{EnumItem<G>{G::Truth, "truth", "Truth", "The converged ray march all pictures are compared with."},
-                    EnumItem<G>{G::Defaults, "defaults", "Defaults", "Each representation as its node comes, all at the same resolution."},
+                    EnumItem<G>{G::Defaults, "defaults", "Defaults", "Each representation with its usual parameters, in half floats, all at the same resolution."},
                     EnumItem<G>{G::EqualMemory, "equal memory", "Equal memory", "Resolutions chosen so that every map takes the bytes of the improved map in its 32-byte layout."}};
 }
 

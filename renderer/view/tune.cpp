@@ -20,7 +20,8 @@ constexpr int kCheaperTries = 8;  ///< for a better one
 constexpr int kCurvePoints = 8;
 constexpr double kHorizon = 5.5;  ///< optical depth (docs/physics.md)
 constexpr int kLastTries = 4;     ///< before it is said that none will do
-constexpr double kSafe = 0.9, kHopeful = 1.1, kLastHope = 2.0;  ///< expected p95 over the bound
+constexpr double kSlowMs = 2000;  ///< a map of the curve may take this long to build
+constexpr double kSafe = 0.9, kHopeful = 1.2, kLastHope = 2.0;  ///< expected p95 over the bound
 constexpr double kDensePart = 0.01;  ///< of the points behind the horizon that make one worth trying
 
 bool hasMetric(const ShadowSpec& s) { return s.kind == Kind::Extinction && s.metric.metric != shadow::Metric::None; }
@@ -130,7 +131,7 @@ struct Tuner::Impl {
   bool anchors(const ShadowSpec& c) const {
     if (c.kind != Kind::Extinction) return true;
     const int n = c.extinction.coefficients;
-    if (n == 12 || n == 24) return false;
+    if (n == 12 || n == 16 || n == 24) return false;
     const bool best = n == 32 && c.extinction.basis == shadow::Basis::Cosine, all = !hasMetric(c) || c.metric.intervals == 8;
     if (c.extinction.storage == shadow::Storage::Float) return best && all && c.metric.weighting == shadow::Weighting::None && c.metric.horizon == 0;
     return all || (best && c.metric.horizon == 0);
@@ -144,8 +145,10 @@ struct Tuner::Impl {
     configurations = tuneConfigurations(like, dense);
     if (configurations.empty()) return fail(Code::Input, "a ray-marched shadow has no parameters to tune");
     for (int r = options.minResolution; r <= options.maxResolution; r *= 2) resolutions.push_back(r);
-    coarse = std::clamp(gpu.device.software ? 256 : 512, options.minResolution, options.maxResolution);
-    for (const int r : {coarse / 2, coarse, coarse * 2}) queue.push_back(shadow::withResolution(accurate(), r));
+    const int affordable = (gpu.device.software ? 256 : 512) / (like.kind == Kind::Deep ? 2 : 1);
+    coarse = std::clamp(affordable, options.minResolution, options.maxResolution);
+    for (const int r : {coarse / 2, coarse, coarse * 2})
+      if (r <= options.maxResolution) queue.push_back(shadow::withResolution(accurate(), r));
     planned = queue.size() + std::size_t(std::count_if(configurations.begin(), configurations.end(), [&](const auto& c) { return anchors(c); })) +
               kCheaperTries + kCurvePoints;
     return {};
@@ -211,7 +214,7 @@ struct Tuner::Impl {
     return *pick;
   }
 
-  /// The expected front at every doubling of memory, up to 8 times what the goal takes.
+  /// The expected front at every doubling of memory, up to 8 times what the goal takes, without what is slow to build.
   void queueCurve() {
     auto all = expected();
     for (const TuneCandidate& c : measured) all.push_back(pointOf(c));
@@ -223,7 +226,7 @@ struct Tuner::Impl {
       if (p.p95 >= 0.98 * least || p.bytes > largest) continue;
       least = p.p95;
       if (tried(p.spec)) before = p.bytes;
-      if (tried(p.spec) || p.bytes < 1.6 * before || queue.size() == kCurvePoints) continue;
+      if (tried(p.spec) || p.bytes < 1.6 * before || p.buildMs > kSlowMs || queue.size() == kCurvePoints) continue;
       before = p.bytes;
       queue.push_back(p.spec);
     }

@@ -73,7 +73,7 @@ TEST(Shootout, MeasuresEveryRepresentation) {
   int width = 0, height = 0, channels = 0;
   stbi_uc* pixels = stbi_load((out / "contact-sheet.png").c_str(), &width, &height, &channels, 0);
   ASSERT_TRUE(pixels) << "no PNG";
-  EXPECT_EQ(width, 2 * 40 + 5 * (64 + 20) + 4 * 20);
+  EXPECT_EQ(width, 2 * 40 + 5 * (300 + 20) + 4 * 20);
   EXPECT_EQ(height, 118 + 40 + 2 * (62 + 3 * (2 * 36 + 84 + 24 + 20)));
   int bright = 0;
   for (int i = 0; i < width * height * channels; ++i) bright += pixels[i] > 200;

@@ -35,7 +35,7 @@ Judged judge(const fs::path& file, std::uint64_t seed) {
 
 TEST(Tune, MeetsABoundWithLessMemoryThanTheDefaults) {
   const fs::path folder = test::scratchFolder(), file = test::writeIntervalGraph(folder / "gap.json"), out = folder / "tuned.json";
-  const auto r = test::pileus({"tune", file, "--p95", "0.02", "-o", out, "--max-resolution", "512"}, 280);
+  const auto r = test::pileus({"tune", file, "--p95", "0.02", "-o", out, "--max-resolution", "256", "--points", "8000"}, 280);
   ASSERT_EQ(r.exitCode, 0) << r.out << r.err;
   std::printf("%s", r.out.c_str());
   EXPECT_NE(r.out.find("p95 |dT|"), std::string::npos);

@@ -54,7 +54,7 @@ void evaluate(Editor& editor) {
     editor.window->waitEvents(0);
   }
   if (editor.window->inputPending()) return;
-  if (const double left = kSliceMs - clock.ms(); left > 0) stepCompare(editor, left);
+  if (const double left = kSliceMs - clock.ms(); left > 0) labWantsFrame(editor) ? stepLab(editor, left) : stepCompare(editor, left);
   if (auto outcome = editor.exporter.step()) {
     if (*outcome)
       editor.messages.info("Exported " + outcome->value().string());
@@ -88,7 +88,8 @@ void handleWindow(Editor& editor) {
 
 /// Is there work that can go on at once?
 bool busy(const Editor& editor) {
-  return editor.preview.wantsFrame() || editor.exporter.wantsFrame() || compareWantsFrame(editor);
+  return editor.preview.wantsFrame() || editor.exporter.wantsFrame() || compareWantsFrame(editor) ||
+         labWantsFrame(editor);
 }
 
 /// Seconds until the next frame is due when nothing happens; 0 = at once.

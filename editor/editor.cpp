@@ -28,6 +28,7 @@ void documentReplaced(Editor& editor) {
   editor.viewport.colorsOf = "\n";
   editor.preview.forgetPicture();
   editor.scope = RayScope{};
+  editor.lab = Lab{};
 }
 
 }  // namespace pileus::editor

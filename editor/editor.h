@@ -10,6 +10,7 @@
 #include "editor/file_browser.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/messages.h"
+#include "editor/panels/lab.h"
 #include "editor/panels/parameters.h"
 #include "editor/panels/ray_scope.h"
 #include "editor/panels/viewport.h"
@@ -24,7 +25,7 @@
 namespace pileus::editor {
 
 /// Panels that have keys of their own; Global ones work everywhere.
-enum class Panel { Global, Viewport, Graph, Parameters, Scope, Log };
+enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Log };
 
 struct Editor {
   Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)
@@ -45,6 +46,7 @@ struct Editor {
   Viewport viewport;
   CompareMode compare;
   RayScope scope;
+  Lab lab;
   Canvas canvas;
   Parameters parameters;
   FileBrowser browser;

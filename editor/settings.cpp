@@ -51,10 +51,12 @@ Settings settingsFromText(std::string_view text) {
   read(j, "parametersWidth", s.parametersWidth, 240, 900);
   read(j, "logHeight", s.logHeight, 60, 800);
   read(j, "scopeWidth", s.scopeWidth, 280, 1200);
+  read(j, "labHeight", s.labHeight, 160, 1000);
   read(j, "viewportResolution", s.viewportResolution, 0.125, 2);
   read(j, "showTimes", s.showTimes);
   read(j, "showLog", s.showLog);
   read(j, "showScope", s.showScope);
+  read(j, "showLab", s.showLab);
   read(j, "recentFiles", s.recentFiles);
   read(j, "recentNodes", s.recentNodes);
   read(j, "recentFolders", s.recentFolders);
@@ -67,10 +69,12 @@ std::string settingsText(const Settings& s) {
                   {"parametersWidth", s.parametersWidth},
                   {"logHeight", s.logHeight},
                   {"scopeWidth", s.scopeWidth},
+                  {"labHeight", s.labHeight},
                   {"viewportResolution", s.viewportResolution},
                   {"showTimes", s.showTimes},
                   {"showLog", s.showLog},
                   {"showScope", s.showScope},
+                  {"showLab", s.showLab},
                   {"recentFiles", s.recentFiles},
                   {"recentNodes", s.recentNodes},
                   {"recentFolders", s.recentFolders}};

@@ -18,8 +18,10 @@ struct Settings {
   double viewportResolution = 1;  ///< rendered pixels per panel pixel
   bool showTimes = false;         ///< milliseconds on nodes
   double scopeWidth = 420;        ///< design pixels
+  double labHeight = 300;         ///< design pixels
   bool showLog = false;
   bool showScope = false;
+  bool showLab = false;
   std::vector<std::string> recentFiles;    ///< absolute, newest first
   std::vector<std::string> recentNodes;    ///< node type ids, newest first
   std::vector<std::string> recentFolders;  ///< of the file browser, newest first

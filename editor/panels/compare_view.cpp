@@ -175,7 +175,7 @@ void drawError(Editor& editor, vec2 lo, vec2 hi) {
   drawPart(lo, hi, texture, editor.viewport.texture, 0, 1);
   label(editor, lo, hi, pictureLabel(mode), false, "compare left");
   const std::string what = radiance ? "Radiance" : mode.worst ? "\xce\x94T, worst on the ray" : "\xce\x94T, mean of what is seen";
-  label(editor, lo, hi, pass && pass == mode.coarse.get() ? what + ", small" : what, true, "compare right");
+  label(editor, lo, hi, !pass ? what + ", soon" : pass == mode.coarse.get() ? what + ", small" : what, true, "compare right");
   editor.viewport.shown = {{lo, hi}};
 }
 

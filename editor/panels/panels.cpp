@@ -9,6 +9,7 @@
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/menu.h"
+#include "editor/panels/lab.h"
 #include "editor/panels/log.h"
 #include "editor/panels/parameters.h"
 #include "editor/panels/ray_scope.h"
@@ -23,7 +24,7 @@ struct Rect {
 };
 
 struct Areas {
-  Rect viewport, graph, scope, parameters, log, status;
+  Rect viewport, graph, scope, parameters, lab, log, status;
 };
 
 constexpr float kGap = 4;  // design pixels between panels: the splitter
@@ -36,7 +37,8 @@ Areas areasOf(const Editor& editor, float top) {
   const float bottom = display.y - status;
   const float log =
       s.showLog ? std::min(theme.px(static_cast<float>(s.logHeight)), (bottom - top) * 0.6f) + gap : 0;
-  const float main = bottom - log;
+  const float lab = s.showLab ? std::min(theme.px(static_cast<float>(s.labHeight)), (bottom - top - log) * 0.6f) + gap : 0;
+  const float main = bottom - log - lab;
   const float right = std::clamp(theme.px(static_cast<float>(s.parametersWidth)), theme.px(240),
                                  std::max(theme.px(240), display.x - theme.px(360)));
   const float parameters = display.x - right - gap;
@@ -48,7 +50,8 @@ Areas areasOf(const Editor& editor, float top) {
           {{0, y + gap}, {x, main}},
           {{x + gap, top}, {parameters, main}},
           {{parameters + gap, top}, {display.x, main}},
-          {{0, main + gap}, {display.x, bottom}},
+          {{0, main + gap}, {display.x, main + lab}},
+          {{0, main + lab + gap}, {display.x, bottom}},
           {{0, bottom}, display}};
 }
 
@@ -113,9 +116,13 @@ void drawSplitters(Editor& editor, const Areas& a) {
                {{a.viewport.min.x, a.viewport.max.y}, {a.viewport.max.x, a.graph.min.y}}, false, released);
   const double height = static_cast<double>(std::max(a.graph.max.y - a.viewport.min.y, 1.0f));
   s.viewportShare = std::clamp(s.viewportShare + static_cast<double>(dy) / height, 0.15, 0.85);
+  if (s.showLab) {
+    const float dl = splitter(editor, "splitter/lab", {{0, a.graph.max.y}, {a.lab.max.x, a.lab.min.y}}, false, released);
+    s.labHeight = std::clamp(s.labHeight - static_cast<double>(dl) / scale, 160.0, 1000.0);
+  }
   if (s.showLog) {
-    const float dl =
-        splitter(editor, "splitter/log", {{0, a.graph.max.y}, {a.log.max.x, a.log.min.y}}, false, released);
+    const float dl = splitter(editor, "splitter/log", {{0, a.log.min.y - editor.theme.px(kGap)}, {a.log.max.x, a.log.min.y}},
+                              false, released);
     s.logHeight = std::clamp(s.logHeight - static_cast<double>(dl) / scale, 60.0, 800.0);
   }
 }
@@ -150,6 +157,12 @@ void drawPanels(Editor& editor) {
   over(beginPanel("##parameters", a.parameters), Panel::Parameters);
   drawParameters(editor, a.parameters.min, a.parameters.max);
   ImGui::End();
+
+  if (editor.settings.showLab) {
+    over(beginPanel("##lab", a.lab), Panel::Lab);
+    drawLab(editor, a.lab.min, a.lab.max);
+    ImGui::End();
+  }
 
   if (editor.settings.showLog) {
     over(beginPanel("##log", a.log), Panel::Log);

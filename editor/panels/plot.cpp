@@ -23,7 +23,7 @@ std::vector<double> ticks(dvec2 range, bool logarithmic, int count) {
     const double lo = std::floor(std::log10(range.x)), hi = std::ceil(std::log10(range.y));
     for (double e = lo; e <= hi; ++e) {
       for (const double m : {1.0, 2.0, 5.0}) {
-        if (m != 1 && hi - lo > 2) continue;
+        if (m != 1 && hi - lo > 3) continue;
         const double v = m * std::pow(10.0, e);
         if (v >= range.x * 0.999 && v <= range.y * 1.001) out.push_back(v);
       }

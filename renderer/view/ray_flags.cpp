@@ -10,6 +10,9 @@ namespace {
 using Weight = RayFlag::Weight;
 using shadow::ShadowMap;
 
+/// Four digits, never an exponent.
+std::string metres(double m) { return fmt::format("{:.{}f} m", m, std::abs(m) >= 1000 ? 0 : std::abs(m) >= 100 ? 1 : std::abs(m) >= 10 ? 2 : 3); }
+
 constexpr double kVisible = 2e-3;  // of T: half a code value of 8 bits
 
 /// The largest rise of T from a place to a later one between which it never falls by more than what can be seen.
@@ -21,7 +24,7 @@ std::optional<RayFlag> rise(const RayProbe& p) {
     if (t - low > best) best = t - low, from = lowX, to = p.x[i];
   }
   if (best < kVisible) return std::nullopt;
-  return RayFlag{Weight::Warning, fmt::format("Transmittance rises by {:.2g} between {:.3g} m and {:.3g} m.", best, p.metres(from), p.metres(to))};
+  return RayFlag{Weight::Warning, fmt::format("Transmittance rises by {:.2g} between {} and {}.", best, metres(p.metres(from)), metres(p.metres(to)))};
 }
 
 std::optional<RayFlag> negative(const RayProbe& p) {
@@ -58,7 +61,7 @@ std::optional<RayFlag> horizon(const RayProbe& p) {
   if (at + 1 >= p.x.size()) return std::nullopt;
   const double hidden = std::log(std::max(p.exact[at], 1e-300) / std::max(p.exact.back(), 1e-300));
   if (hidden < 0.01) return std::nullopt;
-  return RayFlag{Weight::Note, fmt::format("The horizon hides an optical depth of {:.3g} behind {:.3g} m.", hidden, p.metres(end))};
+  return RayFlag{Weight::Note, fmt::format("The horizon hides an optical depth of {:.3g} behind {}.", hidden, metres(p.metres(end)))};
 }
 
 }  // namespace

@@ -153,7 +153,8 @@ ExtinctionOverU extinctionOverU(const RayProbe& probe, std::span<const char> mut
   for (std::size_t i = 0; i + 1 < probe.x.size(); ++i) {
     const double tau = std::log(std::max(probe.exact[i], 1e-300) / std::max(probe.exact[i + 1], 1e-300));
     const double u0 = probe.u[i] * count, u1 = probe.u[i + 1] * count;
-    if (!(tau > 0)) continue;
+    // What lies behind a horizon is no part of g.
+    if (!(tau > 0) || (probe.map->horizon && probe.u[i] >= 1 - 1e-9)) continue;
     // A step with mass where the metric stands still: all of it falls into one bin.
     const int first = std::clamp(int(std::floor(std::min(u0, u1))), 0, count - 1), last = std::clamp(int(std::ceil(std::max(u0, u1))) - 1, first, count - 1);
     for (int b = first; b <= last; ++b) {

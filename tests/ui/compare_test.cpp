@@ -142,5 +142,51 @@ TEST(RayScope, PicksExplainsAndMutes) {
   EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("scope"); }));
 }
 
+TEST(Lab, TunesAndWritesIntoTheNodesAndComparesAll) {
+  UiSession ui({1440, 900}, {graphFile().string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.move(ui.center("viewport"));
+  ui.key("F7");
+  ASSERT_TRUE(ui.waitRect("tune/run"));
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true && t["notes"].value("tune note", "").starts_with("Searches the parameters of Map"); }, 60)) << ui.trace()["notes"];
+  ui.screenshot("40-tune-before");
+  ui.click("tune/run");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("tune head", "") == "Best"; }, 200)) << ui.trace()["notes"];
+  ui.screenshot("41-tune");
+
+  // Any dot can be chosen; writing is one undo step.
+  const json trace = ui.trace();
+  const json before = trace["document"]["nodes"]["Map"];
+  const std::string best = trace["notes"]["tune what"];
+  ui.click("tune/dot/1");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("tune head", "") == "Chosen"; })) << ui.trace()["notes"];
+  ui.screenshot("42-tune-chosen");
+  ui.click("tune/best");
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return t["notes"].value("tune what", "") == best; }));
+  ui.click("tune/write");
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Map"] != before && t["undo"] == "Tune shadows"; })) << ui.trace()["message"];
+  ui.move(ui.center("viewport"));
+  ui.key("ctrl+z");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Map"] == before; }));
+
+  // The shoot-out fills its table while it runs, and can be stopped.
+  ui.key("F6");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true && t["rects"].contains("shootout/run"); }, 60));
+  ui.click("shootout/run");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("shootout rows", "").find("Fourier opacity 11") != std::string::npos; }, 200)) << ui.trace()["notes"];
+  ui.click("shootout/cancel");
+  ASSERT_TRUE(ui.waitRect("shootout/run"));
+  const auto rows = [&] { return ui.trace()["notes"].value("shootout rows", ""); };
+  EXPECT_TRUE(rows().starts_with("Ray march\nFourier opacity 11\n")) << "least mean error first: " << rows();
+  ui.click("shootout/column/2");
+  EXPECT_TRUE(ui.waitFor([&](const json&) { return rows().starts_with("Ray march\nFourier opacity 3\n"); })) << "and the largest: " << rows();
+  ui.screenshot("43-shootout");
+  const json row = ui.trace()["rects"]["shootout/row/Fourier opacity 3"];
+  ui.move({row[0].get<double>() + 40, row[1].get<double>() + 12});
+  ui.screenshot("44-shootout-hover");
+  ui.key("F6");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("lab"); }));
+}
+
 }  // namespace
 }  // namespace pileus::test

@@ -52,7 +52,7 @@ Result<void> benchCloudField(const BenchSetup& setup) {
 }
 
 Result<void> benchThreeClouds(const BenchSetup& setup) {
-  constexpr int kResolution = 512;
+  constexpr int kResolution = 1024;
   PILEUS_TRY(const view::RenderScene scene, threeClouds());
   const scene::Light& light = scene.lights[0].light;
   const shadow::Gpu gpu = setup.renderer->gpu();

@@ -37,13 +37,13 @@ float intervalWhole(float m[METRIC_FLOATS], float w[kIntervals]) {
 }
 
 // May the metrics of neighbouring texels be blended? Not when an interval of one has no counterpart in the other: ends further apart
-// than half the shorter one, or shares of u that differ by more than a tenth (measured on brick runs: 0.1, 0.5 and 1 give the same mean
-// error, but half as many texels are told apart).
+// than the shorter one is long, or shares of u that differ by more than a tenth (measured on 76 clouds: limits of 0.1, 0.5 and 1 of the
+// length give mean errors of 0.0197, 0.0197 and 0.0199, and the last tells apart the fewest texels).
 bool intervalsMatch(float m[METRIC_FLOATS], float w[kIntervals], float o[METRIC_FLOATS], float v[kIntervals]) {
   bool match = true;
   for (int j = 0; j < kIntervals; ++j) {
     float shorter = min(m[2 * j + 1] - m[2 * j], o[2 * j + 1] - o[2 * j]);
-    match = match && max(abs(m[2 * j] - o[2 * j]), abs(m[2 * j + 1] - o[2 * j + 1])) <= 0.5 * shorter;
+    match = match && max(abs(m[2 * j] - o[2 * j]), abs(m[2 * j + 1] - o[2 * j + 1])) <= 1.0 * shorter;
   }
 #if WEIGHTS
   float a = max(intervalWhole(m, w), 1e-9), b = max(intervalWhole(o, v), 1e-9);

@@ -8,6 +8,7 @@
 
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
+#include "renderer/shadow/metric.h"
 #include "editor/widgets.h"
 
 namespace pileus::editor {
@@ -162,6 +163,11 @@ void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, cons
 std::string termText(const view::RayProbe& p, std::size_t k) {
   const shadow::Basis basis = p.map->basis;
   if (basis == shadow::Basis::Slab) return fmt::format("slab {} of {}", k + 1, p.map->coefficients);
+  if (basis == shadow::Basis::Piecewise) {
+    const auto count = static_cast<std::size_t>(std::max(shadow::pieceOf(p.taps.taps.front().metric, 0).count, 1));
+    const std::size_t order = k / count;
+    return fmt::format("Interval {}, {}", k % count + 1, order == 0 ? "its optical depth" : fmt::format("cos({}\xcf\x80 v)", order == 1 ? "" : std::to_string(order)));
+  }
   if (k == 0) return basis == shadow::Basis::Cosine ? "c0, the mean" : "a0, twice the mean";
   if (basis == shadow::Basis::Cosine) return fmt::format("c{}, cos({}\xcf\x80 g)", k, k == 1 ? "" : std::to_string(k));
   const std::size_t n = (k + 1) / 2;

@@ -89,9 +89,24 @@ double intervalsEnd(const std::vector<double>& m) {
   return end;
 }
 
+std::vector<double> unmuted(const MapTap& tap, std::span<const char> muted) {
+  std::vector<double> c = tap.coefficients;
+  for (std::size_t k = 0; k < std::min(c.size(), muted.size()); ++k)
+    if (muted[k]) c[k] = 0;
+  return c;
+}
+
+bool piecewise(const ShadowMap& map) { return map.basis == Basis::Piecewise && hasIntervals(map); }
+
+double tauAt(const ShadowMap& map, const MapTap& tap, std::span<const double> c, double x) {
+  if (!piecewise(map)) return basisTau(map.basis, c, tapU(map, tap, x));
+  const Piece p = pieceOf(tap.metric, x);
+  return pieceTau(c, p.count, p.index, p.v);
+}
+
 double tapTransmittance(const ShadowMap& map, const MapTap& tap, std::span<const double> c, double x) {
   if (map.kind == ShadowMap::Kind::TransmittanceFunction) return std::clamp(basisValue(map.basis, c, x), 1e-9, 1.0);
-  double tau = basisTau(map.basis, c, tapU(map, tap, x));
+  double tau = tauAt(map, tap, c, x);
   if (map.horizon) {
     const double end = intervalsEnd(tap.metric);
     if (x > end) tau += std::max(tap.horizonTau - tau, 0.0) * std::clamp((x - end) / std::max(tap.horizonEnd - end, 1e-6), 0.0, 1.0);
@@ -145,13 +160,29 @@ double tapsTransmittance(const ShadowMap& map, const MapTaps& taps, double x, st
   if (map.kind == ShadowMap::Kind::Deep) return deepTransmittance(taps.vertices, x);
   if (taps.taps.empty()) return 1;
   double sum = 0;
-  for (const MapTap& tap : taps.taps) {
-    std::vector<double> c = tap.coefficients;
-    for (std::size_t k = 0; k < std::min(c.size(), muted.size()); ++k)
-      if (muted[k]) c[k] = 0;
-    sum += tap.weight * tapTransmittance(map, tap, c, x);
-  }
+  for (const MapTap& tap : taps.taps) sum += tap.weight * tapTransmittance(map, tap, unmuted(tap, muted), x);
   return sum;
+}
+
+double tapExtinction(const ShadowMap& map, const MapTap& tap, double u, std::span<const char> muted) {
+  const std::vector<double> c = unmuted(tap, muted);
+  if (!piecewise(map)) return basisValue(map.basis, c, u);
+  // Which interval u falls into, and where in it.
+  const auto mass = [&](std::size_t j) { return (tap.weights.empty() ? 1 : tap.weights[j]) * (tap.metric[2 * j + 1] - tap.metric[2 * j]); };
+  double whole = 0;
+  std::size_t count = 0;
+  for (std::size_t j = 0; 2 * j + 1 < tap.metric.size(); ++j) {
+    whole += mass(j);
+    count += mass(j) > 0 ? 1 : 0;
+  }
+  if (!(whole > 0)) return 0;
+  double before = 0;
+  std::size_t j = 0;
+  while (j + 1 < count && u * whole >= before + mass(j)) before += mass(j++);
+  const double v = (u * whole - before) / mass(j);
+  double perInterval = 0;
+  for (std::size_t i = j; i < c.size(); i += count) perInterval += c[i] * std::cos(kPi * double(i / count) * v);
+  return perInterval * whole / mass(j);
 }
 
 }  // namespace pileus::shadow

@@ -34,6 +34,8 @@ MapTaps readTaps(const ShadowMap& map, int face, dvec2 uv);
 
 /// u(x), the share of the metric in front of x, by one tap.
 double tapU(const ShadowMap& map, const MapTap& tap, double x);
+/// Extinction over u by one tap's series: d tau / d u at u in (0, 1), coefficients muted as below. Extinction only.
+double tapExtinction(const ShadowMap& map, const MapTap& tap, double u, std::span<const char> muted = {});
 /// T(x) in front of x in [0, 1]; coefficients whose place in `muted` is not 0 count as 0 (`muted` may be shorter). Extinction and
 /// TransmittanceFunction; Deep: by the nearest texel's vertices; RayMarch: 1.
 double tapsTransmittance(const ShadowMap& map, const MapTaps& taps, double x, std::span<const char> muted = {});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/shadow/basis.h"
 #include "renderer/shadow/light_frustum.h"
 #include "renderer/shadow/reference.h"
 #include "renderer/view/shadow_probe.h"
@@ -168,10 +167,7 @@ ExtinctionOverU extinctionOverU(const RayProbe& probe, std::span<const char> mut
   }
   const ShadowMap& map = *probe.map;
   if (map.kind != ShadowMap::Kind::Extinction || probe.taps.taps.empty()) return out;
-  std::vector<double> c = probe.taps.taps.front().coefficients;
-  for (std::size_t k = 0; k < std::min(c.size(), muted.size()); ++k)
-    if (muted[k]) c[k] = 0;
-  for (const double u : out.u) out.mapped.push_back(shadow::basisValue(map.basis, c, u));
+  for (const double u : out.u) out.mapped.push_back(shadow::tapExtinction(map, probe.taps.taps.front(), u, muted));
   return out;
 }
 

@@ -5,7 +5,7 @@
 
 #include "editor/cli/scene_file.h"
 #include "nodes/serialize.h"
-#include "nodes/shadow_spec_nodes.h"
+#include "nodes/shadow_groups.h"
 #include "renderer/base/profile.h"
 #include "renderer/shadow/shadow_map.h"
 
@@ -13,35 +13,6 @@ namespace fs = std::filesystem;
 
 namespace pileus::cli {
 namespace {
-
-using shadow::ShadowSpec;
-
-/// Nodes of one kind are tuned together, on the lights that have such a shadow.
-struct Group {
-  std::vector<nodes::ShadowNodes> nodes;
-  std::vector<view::Caster> casters;
-};
-
-bool alike(const ShadowSpec& a, const ShadowSpec& b) {
-  const bool metric = (a.metric.metric == shadow::Metric::None) == (b.metric.metric == shadow::Metric::None);
-  return a.kind == b.kind && (a.kind != ShadowSpec::Kind::Extinction || metric);
-}
-
-std::vector<Group> groupsOf(const SceneFile& file) {
-  std::vector<Group> groups;
-  for (const nodes::ShadowNodes& n : nodes::shadowsOf(file.graph, file.renderNode, file.graph.settings.frames.x)) {
-    if (n.spec.kind == ShadowSpec::Kind::RayMarch) continue;
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return alike(g.nodes.front().spec, n.spec); });
-    (same == groups.end() ? groups.emplace_back() : *same).nodes.push_back(n);
-  }
-  for (const view::Caster& c : view::casters(file.scene)) {
-    const auto& shadow = file.scene.lights[std::size_t(c.light)].shadow;
-    for (Group& g : groups)
-      if (shadow && alike(g.nodes.front().spec, shadow->spec)) g.casters.push_back(c);
-  }
-  std::erase_if(groups, [](const Group& g) { return g.casters.empty(); });
-  return groups;
-}
 
 std::string goalText(const view::TuneGoal& goal) {
   switch (goal.bound) {
@@ -65,7 +36,7 @@ void printCurve(const view::Tuner& tuner) {
 }
 
 /// The graph with the group's nodes tuned.
-Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, const Group& group, double share, const nodes::Graph& graph) {
+Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, const nodes::ShadowGroup& group, double share, const nodes::Graph& graph) {
   view::TuneGoal goal = a.goal;
   if (goal.bound != view::TuneBound::P95) goal.limit *= share;  // what is spent is shared by number of lights
   view::Tuner tuner(group.casters, group.nodes.front().spec, goal, {{.count = a.points}, std::min(128, a.maxResolution), a.maxResolution});
@@ -82,23 +53,19 @@ Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, co
   const auto best = tuner.best();
   if (!best) return fail(Code::Bound, "{}: {} cannot be met; nearest is {}", a.file.string(), goalText(goal), candidateText(*tuner.nearest()));
   fmt::print("{} tried; {}\n", tuner.measured().size(), candidateText(*best));
-  nodes::Graph tuned = graph;
-  for (const nodes::ShadowNodes& n : group.nodes) {
-    PILEUS_TRY(tuned, nodes::writeShadow(tuned, n, best->spec));
-  }
-  return tuned;
+  return nodes::writeGroup(graph, group, best->spec);
 }
 
 Result<void> run(const TuneArguments& a) {
   std::error_code ec;
   if (fs::exists(a.out, ec) && !a.overwrite) return fail(Code::Input, "{}: exists; --overwrite replaces it", a.out.string());
   PILEUS_TRY(const SceneFile file, openScene(a.file, a.render));
-  const std::vector<Group> groups = groupsOf(file);
+  const std::vector<nodes::ShadowGroup> groups = nodes::shadowGroups(file.graph, file.renderNode, file.graph.settings.frames.x, file.scene);
   if (groups.empty()) return fail(Code::Input, "{}: no light of {} has a shadow map to tune", a.file.string(), file.renderNode);
   std::size_t lights = 0;
-  for (const Group& g : groups) lights += g.casters.size();
+  for (const nodes::ShadowGroup& g : groups) lights += g.casters.size();
   nodes::Graph graph = file.graph;
-  for (const Group& g : groups) {
+  for (const nodes::ShadowGroup& g : groups) {
     PILEUS_TRY(graph, tuneGroup(file, a, g, double(g.casters.size()) / double(lights), graph));
   }
   PILEUS_CHECK(nodes::saveGraph(a.out, graph, fs::absolute(a.file).parent_path()));

@@ -36,6 +36,7 @@ void visitMetric(Spec& m, const Visit& visit) {
   visit("coverage", m.coverage);
   visit("weighting", m.weighting);
   visit("horizon", m.horizon);
+  visit("compact", m.compact);
 }
 
 template <class Spec, class Visit>

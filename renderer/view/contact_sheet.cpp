@@ -10,7 +10,7 @@ using image::Canvas;
 using image::Face;
 
 constexpr vec3 kBackground(0.086f), kTile(0.129f), kRule(0.22f), kDim(0.58f), kText(0.93f), kAccent(0.55f, 0.78f, 1.0f);
-constexpr int kColumns = 5, kMargin = 40, kGap = 20, kPad = 10, kHeader = 118, kGroupHeader = 62, kCaption = 84;
+constexpr int kColumns = 6, kMargin = 40, kGap = 20, kPad = 10, kHeader = 118, kGroupHeader = 62, kCaption = 84;
 constexpr int kLeastContent = 300;    ///< pixels the text of a tile takes
 constexpr double kFullColour = 0.25;  ///< of the truth's 99th percentile of luminance
 constexpr std::size_t kBarSteps = 220;

@@ -13,7 +13,7 @@ namespace {
 
 using shadow::ShadowSpec;
 
-constexpr double kBudgetBytes = 32;    ///< a texel of the improved map: K = 4 without weights or horizon, 8 cosines, half
+constexpr double kBudgetBytes = 32;    ///< a texel of the improved map: K = 4 in 16 bits and 8 cosines, or in 8 bits and 12 cosines
 constexpr int kMaxResolution = 8192;
 constexpr int kFits = 8;               ///< tries to meet the bytes of a map whose size depends on the scene
 constexpr double kFitTolerance = 0.005;
@@ -47,7 +47,9 @@ std::vector<Contender> shootoutContenders() {
   using K = ShadowSpec::Kind;
   using shadow::Basis;
   using shadow::Metric;
-  ShadowSpec dense = extinction(Metric::Interval, 4, Basis::Cosine, 8);
+  ShadowSpec compact = extinction(Metric::Interval, 4, Basis::Cosine, 12), pieces = extinction(Metric::Interval, 4, Basis::Piecewise, 12);
+  compact.metric.compact = pieces.metric.compact = true;
+  ShadowSpec dense = compact;
   dense.metric.weighting = shadow::Weighting::Root;
   dense.metric.horizon = 5.5;
   return {{"Fourier opacity 3", series(K::FourierOpacity, 3)},
@@ -60,7 +62,9 @@ std::vector<Contender> shootoutContenders() {
           {"Paper, Fourier 4 + Fourier 8", extinction(Metric::Fourier, 4, Basis::Fourier, 8)},
           {"Paper, cosine 4 + cosine 8", extinction(Metric::Cosine, 4, Basis::Cosine, 8)},
           {"Interval 4 + cosine 8", extinction(Metric::Interval, 4, Basis::Cosine, 8)},
-          {"Interval 4 weighted, horizon", dense},
+          {"Interval 4 in 8 bits + cosine 12", compact},
+          {"Interval 4 in 8 bits, weighted, horizon", dense},
+          {"Interval 4 in 8 bits + 3 cosines each", pieces},
           {"Interval 8 + cosine 8", extinction(Metric::Interval, 8, Basis::Cosine, 8)},
           {"Interval 4 + cosine 16", extinction(Metric::Interval, 4, Basis::Cosine, 16)},
           {"Interval 4 + slabs 8", extinction(Metric::Interval, 4, Basis::Slab, 8)}};

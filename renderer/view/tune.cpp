@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
 
 #include "renderer/base/profile.h"
 #include "renderer/view/tune_model.h"
@@ -32,31 +33,44 @@ double costOf(const TuneCandidate& c, TuneBound bound) {
 
 TunePoint pointOf(const TuneCandidate& c) { return {c.spec, c.p95, c.buildMs, c.nsPerLookup, double(c.bytes)}; }
 
-std::vector<ShadowSpec> extinctionConfigurations(const ShadowSpec& like, bool horizon) {
-  std::vector<ShadowSpec> out;
-  for (const shadow::Storage storage : {shadow::Storage::Half, shadow::Storage::Float})
+/// Of an interval metric.
+std::vector<shadow::MetricOptions> metricConfigurations(const shadow::MetricOptions& like, bool horizon) {
+  std::vector<shadow::MetricOptions> out;
+  shadow::MetricOptions m = like;
+  m.metric = shadow::Metric::Interval;
+  for (const bool compact : {false, true})
     for (const double depth : {0.0, kHorizon})
       for (const shadow::Weighting weighting : {shadow::Weighting::None, shadow::Weighting::Root})
-        for (const int intervals : {1, 2, 4, 8})
-          for (const shadow::Basis basis : {shadow::Basis::Cosine, shadow::Basis::Slab})
-            for (const int n : {4, 8, 12, 16, 24, 32}) {
-              ShadowSpec s = like;
-              s.extinction.basis = basis;
-              s.extinction.coefficients = n;
-              s.extinction.storage = storage;
-              s.extinction.damping = false;
-              if (hasMetric(like)) {
-                if ((depth > 0 && !horizon) || (weighting == shadow::Weighting::Root && intervals == 1)) continue;
-                s.metric.metric = shadow::Metric::Interval;
-                s.metric.intervals = intervals;
-                s.metric.weighting = weighting;
-                s.metric.horizon = depth;
-                s.metric.storage = storage;
-              } else if (depth > 0 || weighting == shadow::Weighting::Root || intervals != 8) {
-                continue;
-              }
-              out.push_back(s);
-            }
+        for (const int intervals : {1, 2, 4, 8}) {
+          if ((depth > 0 && !horizon) || (weighting == shadow::Weighting::Root && intervals == 1)) continue;
+          m.compact = compact;
+          m.horizon = depth;
+          m.weighting = weighting;
+          m.intervals = intervals;
+          out.push_back(m);
+        }
+  return out;
+}
+
+std::vector<ShadowSpec> extinctionConfigurations(const ShadowSpec& like, bool horizon) {
+  std::vector<ShadowSpec> out;
+  const auto metrics = hasMetric(like) ? metricConfigurations(like.metric, horizon) : std::vector{like.metric};
+  for (const shadow::Storage storage : {shadow::Storage::Half, shadow::Storage::Float})
+    for (const shadow::MetricOptions& metric : metrics)
+      for (const shadow::Basis basis : {shadow::Basis::Cosine, shadow::Basis::Slab, shadow::Basis::Piecewise})
+        for (const int n : {4, 8, 12, 16, 24, 32}) {
+          // Cosines of each interval need no weights, but intervals, and one coefficient for each.
+          if (basis == shadow::Basis::Piecewise &&
+              (!hasMetric(like) || metric.intervals == 1 || n < metric.intervals || metric.weighting != shadow::Weighting::None))
+            continue;
+          ShadowSpec s = like;
+          s.metric = metric;
+          s.metric.storage = s.extinction.storage = storage;
+          s.extinction.basis = basis;
+          s.extinction.coefficients = n;
+          s.extinction.damping = false;
+          out.push_back(s);
+        }
   return out;
 }
 
@@ -112,29 +126,26 @@ struct Tuner::Impl {
     return std::any_of(measured.begin(), measured.end(), [&](const TuneCandidate& c) { return c.spec == spec; });
   }
 
-  /// The accurate end of the grid: half, even weights, no horizon.
-  ShadowSpec accurate() const {
-    ShadowSpec s = configurations.front();
-    for (const ShadowSpec& c : configurations) {
-      if (s.kind == Kind::Extinction) {
-        if (c.extinction.storage == shadow::Storage::Half && c.extinction.basis == shadow::Basis::Cosine && c.extinction.coefficients == 32 &&
-            c.metric.intervals == (hasMetric(c) ? 8 : c.metric.intervals) && c.metric.weighting == shadow::Weighting::None && c.metric.horizon == 0)
-          s = c;
-      } else {
-        s = c;  // the last one
-      }
-    }
-    return s;
+  /// The accurate end of the grid, and what the model compares the rest with: half, even weights, no horizon.
+  bool accurate(const ShadowSpec& c) const {
+    if (c.kind != Kind::Extinction) return c == configurations.back();
+    const shadow::MetricOptions& m = c.metric;
+    const bool plain = !hasMetric(c) || (m.intervals == 8 && m.weighting == shadow::Weighting::None && m.horizon == 0 && !m.compact);
+    return plain && c.extinction.storage == shadow::Storage::Half && c.extinction.basis == shadow::Basis::Cosine && c.extinction.coefficients == 32;
   }
 
-  /// Configurations the model needs measured; the others lie between them.
-  bool anchors(const ShadowSpec& c) const {
-    if (c.kind != Kind::Extinction) return true;
+  /// Configurations the model needs measured; the others lie between them, or borrow (tune_model.h).
+  bool anchors(ShadowSpec c) const {
+    if (c.kind != Kind::Extinction || accurate(c)) return true;
+    if (std::exchange(c.metric.compact, false)) return accurate(c);
+    if (c.extinction.storage == shadow::Storage::Float) {
+      c.extinction.storage = c.metric.storage = shadow::Storage::Half;
+      return accurate(c);
+    }
     const int n = c.extinction.coefficients;
-    if (n == 12 || n == 16 || n == 24) return false;
-    const bool best = n == 32 && c.extinction.basis == shadow::Basis::Cosine, all = !hasMetric(c) || c.metric.intervals == 8;
-    if (c.extinction.storage == shadow::Storage::Float) return best && all && c.metric.weighting == shadow::Weighting::None && c.metric.horizon == 0;
-    return all || (best && c.metric.horizon == 0);
+    if (n != 4 && n != 8 && n != 32) return false;
+    if (!hasMetric(c) || c.metric.intervals == 8 || c.extinction.basis == shadow::Basis::Piecewise) return true;
+    return n == 32 && c.extinction.basis == shadow::Basis::Cosine && c.metric.horizon == 0;
   }
 
   Result<void> plan(const shadow::Gpu& gpu) {
@@ -147,8 +158,9 @@ struct Tuner::Impl {
     for (int r = options.minResolution; r <= options.maxResolution; r *= 2) resolutions.push_back(r);
     const int affordable = (gpu.device.software ? 256 : 512) / (like.kind == Kind::Deep ? 2 : 1);
     coarse = std::clamp(affordable, options.minResolution, options.maxResolution);
+    const auto reference = std::find_if(configurations.begin(), configurations.end(), [&](const auto& c) { return accurate(c); });
     for (const int r : {coarse / 2, coarse, coarse * 2})
-      if (r <= options.maxResolution) queue.push_back(shadow::withResolution(accurate(), r));
+      if (r <= options.maxResolution) queue.push_back(shadow::withResolution(*reference, r));
     planned = queue.size() + std::size_t(std::count_if(configurations.begin(), configurations.end(), [&](const auto& c) { return anchors(c); })) +
               kCheaperTries + kCurvePoints;
     return {};

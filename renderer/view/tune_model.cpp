@@ -44,36 +44,37 @@ std::optional<TuneModel::Known> TuneModel::find(const ShadowSpec& spec) const {
 
 std::optional<TuneModel::Known> TuneModel::known(const ShadowSpec& spec) const {
   if (auto k = find(spec)) return k;
-  // Fewer intervals: what that costs the most accurate series of the same weights.
-  if (isExtinction(spec) && spec.metric.metric == shadow::Metric::Interval && spec.metric.intervals != 8) {
+  // Interval ends in 8 bits, or float instead of half: what that changes where it was tried.
+  const bool compact = spec.metric.compact;
+  if (isExtinction(spec) && (compact || spec.extinction.storage == shadow::Storage::Float)) {
+    const auto simpler = [compact](ShadowSpec s) {
+      if (compact) s.metric.compact = false;
+      else s.extinction.storage = s.metric.storage = shadow::Storage::Half;
+      return s;
+    };
+    auto k = known(simpler(spec));
+    if (!k) return std::nullopt;
+    double change = 0;
+    for (const Known& o : known_) {
+      if (!isExtinction(o.spec) || simpler(o.spec) == o.spec) continue;
+      if (const auto twin = find(simpler(o.spec)); twin && std::abs(o.a2 - twin->a2) > std::abs(change)) change = o.a2 - twin->a2;
+    }
+    k->a2 = std::max(k->a2 + change, 0.01 * k->a2);
+    return k;
+  }
+  // Fewer intervals: what that costs the most accurate series of the same weights. Cosines of each interval have none in common.
+  if (isExtinction(spec) && spec.metric.metric == shadow::Metric::Interval && spec.metric.intervals != 8 && spec.extinction.basis != shadow::Basis::Piecewise) {
     ShadowSpec eight = spec, probe = spec;
     eight.metric.intervals = 8;
     probe.metric.horizon = 0;
     probe.extinction.basis = shadow::Basis::Cosine;
     probe.extinction.coefficients = 32;
-    probe.extinction.storage = probe.metric.storage = shadow::Storage::Half;
     ShadowSpec probeEight = probe;
     probeEight.metric.intervals = 8;
     const auto few = find(probe), many = find(probeEight);
     auto k = known(eight);
     if (!few || !many || !k) return std::nullopt;
     k->a2 += std::max(few->a2 - many->a2, 0.0);
-    return k;
-  }
-  // Float instead of half: without what rounding adds to the most accurate ones known in both.
-  if (isExtinction(spec) && spec.extinction.storage == shadow::Storage::Float) {
-    ShadowSpec half = spec;
-    half.extinction.storage = half.metric.storage = shadow::Storage::Half;
-    auto k = known(half);
-    if (!k) return std::nullopt;
-    double rounding = 0;
-    for (const Known& f : known_) {
-      if (!isExtinction(f.spec) || f.spec.extinction.storage != shadow::Storage::Float) continue;
-      ShadowSpec twin = f.spec;
-      twin.extinction.storage = twin.metric.storage = shadow::Storage::Half;
-      if (const auto h = find(twin)) rounding = std::max(rounding, h->a2 - f.a2);
-    }
-    k->a2 = std::max(k->a2 - rounding, 0.01 * k->a2);
     return k;
   }
   // Between two counts of coefficients: evenly in logarithms.

@@ -45,7 +45,7 @@ TEST(Shootout, MeasuresEveryRepresentation) {
     Row& row = rows.emplace_back();
     for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = values[i];
   }
-  ASSERT_EQ(rows.size(), 1 + 2 * 14u);
+  ASSERT_EQ(rows.size(), 1 + 2 * 16u);
   EXPECT_EQ(rows[0]["group"], "truth");
   EXPECT_LT(std::stod(rows[0]["max_abs_dt"]), 1e-3) << "the march is the truth";
   std::map<std::string, std::map<std::string, Row>> by;
@@ -63,8 +63,8 @@ TEST(Shootout, MeasuresEveryRepresentation) {
       EXPECT_EQ(row["resolution"], "192");
     }
   }
-  ASSERT_EQ(by["defaults"].size(), 14u);
-  ASSERT_EQ(by["equal memory"].size(), 14u);
+  ASSERT_EQ(by["defaults"].size(), 16u);
+  ASSERT_EQ(by["equal memory"].size(), 16u);
   Row &ours = by["equal memory"]["Interval 4 + cosine 8"], &fourier = by["equal memory"]["Fourier opacity 15"];
   EXPECT_LT(std::stod(ours["mean_abs_dt"]), 0.25 * std::stod(fourier["mean_abs_dt"]));
   EXPECT_LT(std::stod(ours["picture_relmse"]), 0.25 * std::stod(fourier["picture_relmse"]));
@@ -73,7 +73,7 @@ TEST(Shootout, MeasuresEveryRepresentation) {
   int width = 0, height = 0, channels = 0;
   stbi_uc* pixels = stbi_load((out / "contact-sheet.png").c_str(), &width, &height, &channels, 0);
   ASSERT_TRUE(pixels) << "no PNG";
-  EXPECT_EQ(width, 2 * 40 + 5 * (300 + 20) + 4 * 20);
+  EXPECT_EQ(width, 2 * 40 + 6 * (300 + 20) + 5 * 20);
   EXPECT_EQ(height, 118 + 40 + 2 * (62 + 3 * (2 * 36 + 84 + 24 + 20)));
   int bright = 0;
   for (int i = 0; i < width * height * channels; ++i) bright += pixels[i] > 200;

@@ -38,8 +38,8 @@ ShadowSpec unusual(Kind kind) {
   s.kind = kind;
   switch (kind) {
     case Kind::Extinction:
-      s.metric = {shadow::Metric::Interval, 8, 6, 512, shadow::Storage::Half, shadow::Coverage::Boxes, shadow::Weighting::Root, 6.0};
-      s.extinction = {shadow::Basis::Slab, 24, 512, shadow::Storage::Half, shadow::Accumulation::Splat, true};
+      s.metric = {shadow::Metric::Interval, 8, 6, 512, shadow::Storage::Half, shadow::Coverage::Boxes, shadow::Weighting::Root, 6.0, true};
+      s.extinction = {shadow::Basis::Piecewise, 24, 512, shadow::Storage::Half, shadow::Accumulation::Splat, true};
       break;
     case Kind::FourierOpacity:
       s.coefficients = 11, s.range = true, s.damping = true, s.storage = shadow::Storage::Float, s.resolution = 256;

@@ -169,7 +169,7 @@ const Action kActions[] = {
      resetExposure,
      hasView},
     {"viewport.compare",
-     "Compare with Marched Shadows",
+     "Compare with Truth",
      "View",
      P::Viewport,
      {plain(GLFW_KEY_Q)},

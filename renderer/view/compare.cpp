@@ -29,9 +29,13 @@ Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
       figures_.shadow = {error_.mean(), error_.quantile(0.95), error_.maximum()};
       figures_.leak = error_.leak(), figures_.dark = error_.dark(), figures_.samples = error_.samples();
     } else if (pictureFraction_ < 1) {
-      // One region each, so that both have the same samples everywhere; who is still uploading is waited for.
-      if ((mapped() ? mapped()->fraction : 0) <= (truth() ? truth()->fraction : 0)) PILEUS_CHECK(mapped_.step(gpu, 0));
-      PILEUS_TRY(pictureFraction_, truth_.step(gpu, 0));
+      // One region each, so that both have the same samples everywhere; who is still uploading, or takes several dispatches for a region,
+      // is waited for.
+      const auto behind = [&] { return (mapped() ? mapped()->fraction : 0) <= (truth() ? truth()->fraction : 0); };
+      if (behind()) PILEUS_CHECK(mapped_.step(gpu, 0));
+      if (!mapped() || !behind()) {
+        PILEUS_TRY(pictureFraction_, truth_.step(gpu, 0));
+      }
       if (truth() && truth()->samples != figures_.pictureSamples) PILEUS_CHECK(measureRadiance());
     }
     const double errorShare = 1.0 / (1.0 + scene_.options.samples);

@@ -33,7 +33,7 @@ ShadowErrorPass::ShadowErrorPass(const RenderScene& scene, const RenderScene& tr
   if (groups_.empty()) fraction_ = 1;
 }
 
-void ShadowErrorPass::start() {
+void ShadowErrorPass::start(const gl::DeviceInfo& device) {
   for (gl::Texture* t : {&errors_, &transmittances_}) {
     *t = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(options_.size, 1), "shadow error");
     t->clear();
@@ -41,7 +41,11 @@ void ShadowErrorPass::start() {
   }
   // The drawn volumes are the same, and first, in every group.
   const LightSet& any = groups_.front();
-  tiles_.build(options_.size, pixelBounds(std::span(any.volumes()).first(any.drawnVolumes()), options_));
+  const auto drawn = std::span(any.volumes()).first(any.drawnVolumes());
+  const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, options_);
+  tiles_.build(options_.size, bounds);
+  budgets_.resize(groups_.size());
+  for (std::size_t i = 0; i < groups_.size(); ++i) budgets_[i].plan(marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device, pauseAfter_);
   const std::vector<unsigned> zero(ERROR_BINS, 0u);
   bins_.assign(std::span<const unsigned>(zero));
 }
@@ -52,11 +56,12 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
   while (fraction_ < 1) {
     const ivec2 from = next_, to = glm::min(from + ivec2(width_, kRows), options_.size);
     const Stopwatch region;
-    for (LightSet& group : groups_) {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      LightSet& group = groups_[i];
       PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, group.volumes(), ms));
       if (residency.fraction < 1) return fraction_;
-      if (!errors_) start();
-      PILEUS_CHECK(dispatch(gpu, group, from, to));
+      if (!errors_) start(gpu.device);
+      PILEUS_CHECK(dispatch(gpu, group, budgets_[i], from, to));
     }
     collect(from, to);
     const double took = region.ms();
@@ -69,13 +74,14 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
   return fraction_;
 }
 
-Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, ivec2 from, ivec2 to) {
+Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget, ivec2 from, ivec2 to) {
   gl::Defines defines = lights.defines();
   const bool solids = lights.drawnSolids() > 0;
   defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
                                  {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)},
                                  {"OVERFLOW", tiles_.longest() > kInRegisters},
-                                 {"SOLIDS", solids}});
+                                 {"SOLIDS", solids},
+                                 {"RESUME", budget.resumes()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/shadow_error.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);
@@ -90,9 +96,12 @@ Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights,
   glBindImageTexture(IMAGE_ERROR, errors_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glBindImageTexture(IMAGE_TRANSMITTANCE, transmittances_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   const ivec2 groups = (to - from + 7) / 8;
-  glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
-                  GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  do {
+    if (budget.resumes()) budget.bind(*program, (to.x - from.x) * (to.y - from.y));
+    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                    GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  } while (budget.resumes() && budget.unfinished() > 0);
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include "renderer/residency/volume_set.h"
 #include "renderer/shadow/gpu.h"
 #include "renderer/view/light_set.h"
+#include "renderer/view/march_budget.h"
 #include "renderer/view/render_scene.h"
 
 namespace pileus::view {
@@ -17,6 +18,9 @@ class ShadowErrorPass {
  public:
   /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
   ShadowErrorPass(const RenderScene& scene, const RenderScene& truth);
+  /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or MarchBudget::kNever);
+  /// before the first step.
+  void pauseAfter(int iterations) { pauseAfter_ = iterations; }
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   double fraction() const { return fraction_; }
@@ -35,11 +39,13 @@ class ShadowErrorPass {
   const gl::Texture& transmittances() const { return transmittances_; }
 
  private:
-  void start();
-  Result<void> dispatch(const shadow::Gpu& gpu, LightSet& lights, ivec2 from, ivec2 to);
+  void start(const gl::DeviceInfo& device);
+  Result<void> dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget, ivec2 from, ivec2 to);
   void collect(ivec2 from, ivec2 to);
   RenderOptions options_;
   std::vector<LightSet> groups_;  ///< pairs of lights, as many as one dispatch may hold
+  std::vector<MarchBudget> budgets_;  ///< of each group
+  int pauseAfter_ = 0;
   residency::VolumeSet set_;
   residency::TileLists tiles_;
   gl::Texture errors_, transmittances_;

@@ -18,7 +18,10 @@ void VolumeRenderPass::start(const shadow::Gpu& gpu) {
   picture_->scene = scene_;
   picture_->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture");
   picture_->color.clear();
-  tiles_.build(o.size, pixelBounds(std::span(lights_.volumes()).first(lights_.drawnVolumes()), o));
+  const auto drawn = std::span(lights_.volumes()).first(lights_.drawnVolumes());
+  const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, o);
+  tiles_.build(o.size, bounds);
+  budget_.plan(marchCost(o, drawn, bounds, tiles_.longest(), lights_), gpu.device, pauseAfter_);
   cursor_ = gl::RegionCursor(o.size, gpu.device);
 }
 
@@ -31,8 +34,8 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   if (!picture_) start(gpu);
   lights_.bind(gpu.store);
   do {
-    PILEUS_CHECK(dispatch(gpu));
-    if (++cursor_.next; cursor_.done()) {
+    PILEUS_TRY(const bool drawn, dispatch(gpu));
+    if (drawn && (++cursor_.next, cursor_.done())) {
       cursor_.next = 0;
       ++picture_->samples;
     }
@@ -41,7 +44,7 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   return picture_->samples >= samples ? 1.0 : std::min(0.1 + 0.9 * picture_->fraction, 0.9999);
 }
 
-Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
+Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   constexpr int kInRegisters = 4;
   constexpr std::size_t kUnrolledLights = 3;
   const RenderOptions& o = scene_->options;
@@ -51,7 +54,8 @@ Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
                                  {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)},
                                  {"OVERFLOW", tiles_.longest() > kInRegisters},
                                  {"LIGHTS", unrolled},
-                                 {"SOLIDS", lights_.drawnSolids() > 0}});
+                                 {"SOLIDS", lights_.drawnSolids() > 0},
+                                 {"RESUME", budget_.resumes()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);
@@ -64,13 +68,15 @@ Result<void> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   program->set("regionOrigin", cursor_.origin());
   program->set("regionEnd", cursor_.end());
   glBindImageTexture(IMAGE_TARGET, picture_->color.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  const ivec2 groups = (cursor_.end() - cursor_.origin() + 7) / 8;
+  const ivec2 region = cursor_.end() - cursor_.origin(), groups = (region + 7) / 8;
+  if (budget_.resumes()) budget_.bind(*program, region.x * region.y);
   timer_.begin();
   glDispatchCompute(GLuint(groups.x), GLuint(groups.y), 1);
   timer_.end();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   glFinish();
-  return {};
+  ++dispatches_;
+  return !budget_.resumes() || budget_.unfinished() == 0;
 }
 
 }  // namespace pileus::view

@@ -7,6 +7,7 @@
 #include "renderer/residency/volume_set.h"
 #include "renderer/shadow/gpu.h"
 #include "renderer/view/light_set.h"
+#include "renderer/view/march_budget.h"
 #include "renderer/view/picture.h"
 #include "renderer/view/render_scene.h"
 
@@ -17,7 +18,11 @@ class VolumeRenderPass {
   explicit VolumeRenderPass(RenderScene scene);
   VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes, std::vector<shadow::ShadowedLight> lights)
       : VolumeRenderPass(RenderScene{options, volumes, std::move(lights), {}}) {}
-  /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
+  /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or MarchBudget::kNever);
+  /// before the first step.
+  void pauseAfter(int iterations) { pauseAfter_ = iterations; }
+  int dispatches() const { return dispatches_; }
+  /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Null until the first region is drawn; the same object from then on, its texels improving until step() said 1.
   std::shared_ptr<const Picture> picture() const { return picture_; }
@@ -27,7 +32,8 @@ class VolumeRenderPass {
 
  private:
   void start(const shadow::Gpu& gpu);
-  Result<void> dispatch(const shadow::Gpu& gpu);
+  /// True when the region is drawn, false where it has to go on.
+  Result<bool> dispatch(const shadow::Gpu& gpu);
   std::shared_ptr<const RenderScene> scene_;
   LightSet lights_;
   std::shared_ptr<Picture> picture_;
@@ -35,6 +41,8 @@ class VolumeRenderPass {
   residency::Residency residency_;
   residency::TileLists tiles_;
   gl::RegionCursor cursor_;
+  MarchBudget budget_;
+  int pauseAfter_ = 0, dispatches_ = 0;
   gl::GpuTimer timer_;
 };
 

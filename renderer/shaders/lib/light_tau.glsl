@@ -24,7 +24,8 @@ Incidence unshadowed(int l, vec3 p) {
 #endif
 }
 
-// `inMedium`: p is a point of a medium, not of a surface.
+// `inMedium`: p is a point of a medium, not of a surface. With RESUME it goes on where state.item and state.tau say, and means
+// nothing where `paused` is set behind it.
 float lightTauTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium) {
   float tau = 0.0;
 #if LIGHT_KINDS & 26
@@ -35,10 +36,26 @@ float lightTauTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium
     tau = lookupTau(l, p, inMedium);
 #endif
 #if LIGHT_KINDS & 4
-  int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0;
-  for (int k = 0; k < count && tau < 30.0; ++k)
+  int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0, k = 0;
+#if RESUME
+  k = state.item;
+  tau += state.tau;
+#endif
+  for (; k < count && tau < 30.0; ++k) {
+#if RESUME
+    SPEND(1);
+    if (mustPause()) {
+      paused = true;
+      break;
+    }
+#endif
     tau += opticalDepth(texelFetch(shadowItems, lights[l].items.y + k).x, p, towards, lights[l].extent.y,
                         distance);
+  }
+#if RESUME
+  state.item = paused ? k : 0;
+  state.tau = paused ? tau : 0.0;
+#endif
 #endif
   return tau;
 }

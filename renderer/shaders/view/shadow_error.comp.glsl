@@ -2,7 +2,7 @@
 // and at each sample with extinction asks both lights of each pair, 2 i with its map and 2 i + 1 with ray-marched truth.
 // Adds to `errors` (SUM w dT, SUM |dT|, the dT of largest magnitude, number of samples) and to `transmittances` (SUM w T, SUM w T true,
 // SUM w, 0), w: how much of the sample is seen. A solid behind the media has its say in the picture (w, dT), but is no sample of them.
-// Variant constants: ACTIVE, OVERFLOW, SOLIDS as in view/volume_render, SHAPES and those of lib/light_tau.glsl.
+// Variant constants: ACTIVE, OVERFLOW, SOLIDS, RESUME as in view/volume_render, SHAPES and those of lib/light_tau.glsl.
 #include "shared/compare.h"
 #include "lib/light_tau.glsl"
 #include "lib/tiles.glsl"
@@ -23,7 +23,19 @@ void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
   Incidence in_ = unshadowed(l, p);
   float reached = solidVisibility(l, p, in_.towards, in_.distance) * facing;
   if (reached <= 0.0 || all(lessThanEqual(in_.irradiance, vec3(0.0)))) return;
+#if RESUME
+  if (!lightIsDue(l + 1)) return;
+  if (lightIsDue(l)) {
+    state.seen.x = exp(-lightTauTowards(l, p, in_.towards, in_.distance, inMedium));
+    state.light = paused ? l : l + 1;
+    if (paused) return;
+  }
+  float mapped = state.seen.x, truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance, inMedium));
+  state.light = paused ? l + 1 : l + 2;
+  if (paused) return;
+#else
   float mapped = exp(-lightTauTowards(l, p, in_.towards, in_.distance, inMedium)), truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance, inMedium));
+#endif
   float d = mapped - truth, magnitude = abs(d);
   transmittance += weight * reached * vec4(mapped, truth, 1.0, 0.0);
   error.x += weight * reached * d;
@@ -72,6 +84,13 @@ void main() {
   VolumeRay rays[ACTIVE];
   float T = 1.0, t = 0.0, next = 0.0;
   bool inMedia = range.x < range.y;
+#if RESUME
+  int slot = (pixel.y - regionOrigin.y) * (regionEnd.x - regionOrigin.x) + pixel.x - regionOrigin.x;
+  if (dispatchIndex > 0) state = states[slot];
+  if (state.phase == kFinished) return;
+  T = state.seen.a, t = state.t;
+  inMedia = inMedia && state.phase == kInMedia;
+#endif
 #if SOLIDS
   int solid;
   vec3 normal;
@@ -80,6 +99,7 @@ void main() {
   const float end = kNoHit;
 #endif
   while (inMedia) {
+    SPEND(stretchCost);
     // Who is active just after t, and until when does that stay so?
     next = 1e30;
     int count = 0, rest = range.y;
@@ -101,9 +121,12 @@ void main() {
     next = min(next, end);
     if (count > 0) {
       ds *= stepScale;
-      int n = int(clamp(ceil((next - t) / ds), 1.0, 8192.0));
+      int n = int(clamp(ceil((next - t) / ds), 1.0, float(CAMERA_MOST_STEPS)));
       ds = (next - t) / float(n);
       int i = 0;
+#if RESUME
+      i = state.step;
+#endif
       do {
         // On to the next sample with something in it.
         float sigma, at;
@@ -124,19 +147,60 @@ void main() {
             if (hit.x <= t && hit.y > t) sigma += sigmaAt(ray, at);
           }
 #endif
+#if RESUME
+          state.step = i;
+#endif
           i = max(to, i + 1);
+          SPEND(stepCost);
+#if RESUME
+        } while (sigma <= 0.0 && i < n && !mustPause());
+        if (sigma <= 0.0) foundNothing(i, n);
+        SPEND(sampleCost);
+#else
         } while (sigma <= 0.0 && i < n);
+#endif
 
         float step = exp(-sigma * ds);
         if (sigma > 0.0) addAll(eye + at * d, T * (1.0 - step));
+#if RESUME
+        if (!paused) {
+          T *= step;
+          state.step = i, state.light = 0;
+          paused = mustPause() && i < n && T >= 1e-4;
+        }
+      } while (i < n && T >= 1e-4 && !paused);
+#else
         T *= step;
       } while (i < n && T >= 1e-4);
+#endif
     }
+#if RESUME
+    if (!paused) {
+      t = next;
+      state.step = 0;
+      paused = mustPause() && T >= 1e-4 && t < end;
+    }
+    inMedia = !paused && T >= 1e-4 && t < end;
+  }
+  state.phase = paused ? kInMedia : kAtSolid;
+  SPEND(sampleCost);
+#else
     t = next;
     inMedia = T >= 1e-4 && t < end;
   }
+#endif
 #if SOLIDS
+#if RESUME
+  if (!paused)
+#endif
   if (end < kNoHit && T >= 1e-4) addSurface(solid, eye + end * d, normal, end, T);
+#endif
+#if RESUME
+  state.seen.a = T;
+  state.t = t;
+  if (!paused) state.phase = kFinished;
+  states[slot] = state;
+  if (paused) atomicAdd(unfinished, 1);
 #endif
   imageStore(errors, pixel, error);
   imageStore(transmittances, pixel, transmittance);

@@ -2,7 +2,8 @@
 // target. Overlapping volumes are marched together; the step is the smallest of those active. The march ends at the nearest solid, which
 // adds T_cam albedo / pi SUM E cos T_light.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one),
-// LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES and those of lib/light_tau.glsl.
+// LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES, RESUME (1: a sample may take several dispatches,
+// lib/resume.glsl) and those of lib/light_tau.glsl.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
 #include "lib/light_tau.glsl"
@@ -21,6 +22,19 @@ uniform int solidCount;                        // drawn: the first ones
 // Scattering per unit length and solid angle of volume v: sigma_s p.
 vec3 scattering(vec4 albedo, float sigma, float cosine) { return sigma * albedo.rgb * phaseHg(cosine, albedo.w); }
 
+#if RESUME
+// What light l sends to p, black where that is counted already or has to wait for the next dispatch.
+vec3 arrivingIfDue(int l, vec3 p, bool inMedium, out vec3 towards) {
+  vec3 arriving = vec3(0.0);
+  towards = vec3(0.0);
+  if (lightIsDue(l)) {
+    arriving = lightArriving(l, p, inMedium, towards);
+    if (!paused) state.light = l + 1;
+  }
+  return paused ? vec3(0.0) : arriving;
+}
+#endif
+
 #if SOLIDS
 // Radiance [W/(m^2 sr)] that solid s sends back from its point p.
 vec3 reflected(int s, vec3 p, vec3 normal, float t) {
@@ -28,7 +42,11 @@ vec3 reflected(int s, vec3 p, vec3 normal, float t) {
   int l = 0;
   do {
     vec3 towards;
+#if RESUME
+    vec3 arriving = arrivingIfDue(l, off, false, towards);
+#else
     vec3 arriving = lightArriving(l, off, false, towards);
+#endif
     sum += arriving * max(dot(normal, towards), 0.0);
     ++l;
   } while (l < lightCount);
@@ -50,6 +68,13 @@ void main() {
   float T = 1.0, t = 0.0, next = 0.0;
   vec3 L = vec3(0.0);
   bool inMedia = range.x < range.y;
+#if RESUME
+  int slot = (pixel.y - regionOrigin.y) * (regionEnd.x - regionOrigin.x) + pixel.x - regionOrigin.x;
+  if (dispatchIndex > 0) state = states[slot];
+  if (state.phase == kFinished) return;
+  L = state.seen.rgb, T = state.seen.a, t = state.t;
+  inMedia = inMedia && state.phase == kInMedia;
+#endif
 #if SOLIDS
   int solid;
   vec3 normal;
@@ -58,6 +83,7 @@ void main() {
   const float end = kNoHit;
 #endif
   while (inMedia) {
+    SPEND(stretchCost);
     // Who is active just after t, and until when does that stay so?
     next = 1e30;
     int count = 0, rest = range.y;
@@ -85,9 +111,12 @@ void main() {
 #endif
     if (count > 0) {
       ds *= stepScale;
-      int n = int(clamp(ceil((next - t) / ds), 1.0, 8192.0));
+      int n = int(clamp(ceil((next - t) / ds), 1.0, float(CAMERA_MOST_STEPS)));
       ds = (next - t) / float(n);
       int i = 0;
+#if RESUME
+      i = state.step;
+#endif
       do {
         // On to the next sample with something in it.
         float sigma, at;
@@ -111,8 +140,18 @@ void main() {
             if (hit.x <= t && hit.y > t) sigma += sigmaAt(ray, at);
           }
 #endif
+#if RESUME
+          state.step = i;
+#endif
           i = max(to, i + 1);
+          SPEND(stepCost);
+#if RESUME
+        } while (sigma <= 0.0 && i < n && !mustPause());
+        if (sigma <= 0.0) foundNothing(i, n);
+        SPEND(sampleCost);
+#else
         } while (sigma <= 0.0 && i < n);
+#endif
 
         vec3 p = eye + at * d, source = vec3(0.0);
 #if LIGHTS
@@ -122,7 +161,11 @@ void main() {
         do {
 #endif
           vec3 towards;
+#if RESUME
+          vec3 arriving = arrivingIfDue(l, p, true, towards);
+#else
           vec3 arriving = lightArriving(l, p, true, towards);
+#endif
           // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
           float cosine = dot(towards, d);
           vec3 factor = vec3(0.0);
@@ -144,17 +187,55 @@ void main() {
         // Exact over the step for a constant source and extinction.
         float step = exp(-sigma * ds);
         L += T * (sigma * ds < 1e-4 ? ds * (1.0 - 0.5 * sigma * ds) : (1.0 - step) / max(sigma, 1e-30)) * source;
+#if RESUME
+        if (!paused) {
+          T *= step;
+          state.step = i, state.light = 0;
+          paused = mustPause() && i < n && T >= 1e-4;
+        }
+      } while (i < n && T >= 1e-4 && !paused);
+#else
         T *= step;
       } while (i < n && T >= 1e-4);
+#endif
     }
+#if RESUME
+    if (!paused) {
+      t = next;
+      state.step = 0;
+      paused = mustPause() && T >= 1e-4 && t < end;
+    }
+    inMedia = !paused && T >= 1e-4 && t < end;
+  }
+  state.phase = paused ? kInMedia : kAtSolid;
+#else
     t = next;
     inMedia = T >= 1e-4 && t < end;
   }
+#endif
   if (T < 1e-4) T = 0.0;
 #if SOLIDS
+#if RESUME
+  SPEND(sampleCost);
+  if (end < kNoHit && T > 0.0 && !paused) {
+    L += T * reflected(solid, eye + end * d, normal, end);
+    T = paused ? T : 0.0;
+  }
+#else
   if (end < kNoHit && T > 0.0) {
     L += T * reflected(solid, eye + end * d, normal, end);
     T = 0.0;
+  }
+#endif
+#endif
+#if RESUME
+  state.seen = vec4(L, T);
+  state.t = t;
+  if (!paused) state.phase = kFinished;
+  states[slot] = state;
+  if (paused) {
+    atomicAdd(unfinished, 1);
+    return;
   }
 #endif
   vec4 now = vec4(L, 1.0 - T);

@@ -1,0 +1,110 @@
+#include "renderer/view/march_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/shaders/shared/resume.h"
+
+namespace pileus::view {
+namespace {
+
+// Iterations of one lookup in a stored shadow: four texels, and of a deep map a binary search in each.
+constexpr double kLookup = 8, kDeepLookup = 64;
+
+/// The longest way through a volume, metres.
+double longestWay(const volume::Instance& i) {
+  const Box3 local = volume::localBounds(i);
+  const dvec3 size = local.max - local.min;
+  double longest = 0;
+  for (const double y : {-1.0, 1.0})
+    for (const double z : {-1.0, 1.0}) longest = std::max(longest, glm::length(dvec3(i.worldFromLocal * dvec4(size * dvec3(1, y, z), 0))));
+  return longest;
+}
+
+/// Camera steps in volume i.
+double cameraSteps(const RenderOptions& o, const volume::Instance& i) {
+  const double way = longestWay(i);
+  const dvec3 centre(i.worldFromLocal * dvec4(volume::localBounds(i).center(), 1));
+  const double nearest = std::max(glm::length(centre - o.camera.eye) - 0.5 * way, 0.0);
+  const double footprint = i.shape == volume::Shape::Grid ? 2 * std::tan(glm::radians(o.camera.fov) / 2) / o.size.y * nearest : 0;
+  return 1 + way / (std::max(volume::detailSize(i), footprint) * o.stepScale);
+}
+
+double shadowCost(const shadow::ShadowMap& shadow) {
+  using Kind = shadow::ShadowMap::Kind;
+  if (shadow.kind != Kind::RayMarch) return shadow.kind == Kind::Deep ? kDeepLookup : kLookup;
+  double sum = 0;
+  for (const volume::Instance& i : shadow.volumes) {
+    const double steps = i.shape == volume::Shape::Grid ? longestWay(i) / (volume::detailSize(i) * shadow.stepScale) : 1;
+    sum += 2 + std::clamp(steps, 1.0, double(MARCH_MOST_STEPS)) / MARCH_UNROLL;
+  }
+  return sum;
+}
+
+/// The largest sum over the volumes of one tile.
+double mostInTile(ivec2 size, std::span<const residency::PixelBounds> bounds, const std::vector<double>& values) {
+  constexpr int kTile = residency::TileLists::kTile;
+  const ivec2 grid = (size + kTile - 1) / kTile;
+  std::vector<double> tiles(std::size_t(grid.x) * std::size_t(grid.y), 0.0);
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const ivec2 lo = glm::max(bounds[i].min, ivec2(0)), hi = glm::min(bounds[i].max, size);
+    if (lo.x >= hi.x || lo.y >= hi.y) continue;
+    for (int y = lo.y / kTile; y <= (hi.y - 1) / kTile; ++y)
+      for (int x = lo.x / kTile; x <= (hi.x - 1) / kTile; ++x) tiles[std::size_t(y * grid.x + x)] += values[i];
+  }
+  return tiles.empty() ? 0 : *std::max_element(tiles.begin(), tiles.end());
+}
+
+}  // namespace
+
+MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> volumes, std::span<const residency::PixelBounds> bounds, int longest,
+                    const LightSet& lights) {
+  std::vector<double> steps;
+  for (const volume::Instance& i : volumes) steps.push_back(cameraSteps(o, i));
+  const double stretches = 2.0 * longest + 1;
+  const double most = std::min(mostInTile(o.size, bounds, steps) + stretches, CAMERA_MOST_STEPS * stretches);
+  double fixed = 2, shadows = 0;
+  for (const shadow::ShadowedLight& l : lights.lights()) {
+    fixed += 2;
+    if (!l.shadow) continue;
+    fixed += double(l.shadow->solids.size());
+    (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
+  }
+  constexpr int kInRegisters = 4;
+  const double overflow = longest > kInRegisters ? longest : 0;
+  fixed += overflow * double(lights.lights().size());
+  MarchCost cost;
+  cost.stretch = longest + 2;
+  cost.step = int(overflow) + 1;
+  cost.sample = int(fixed) + int(lights.drawnSolids());
+  cost.pixel = stretches * cost.stretch + (most + 1) * (cost.step + cost.sample + shadows);
+  return cost;
+}
+
+void MarchBudget::plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane) {
+  cost_ = cost;
+  dispatched_ = 0;
+  lane_ = lane == kNever ? 0 : lane > 0 ? lane : device.software && cost.pixel > kOneDispatch ? kLane : 0;
+}
+
+void MarchBudget::bind(gl::Program& program, int pixels) {
+  states_.reserve(16 + std::size_t(pixels) * MARCH_STATE_BYTES);
+  const int none = 0;
+  glNamedBufferSubData(states_.id(), 0, sizeof none, &none);
+  states_.bindStorage(BIND_MARCH_STATES);
+  program.set("dispatchIndex", dispatched_++);
+  // Every dispatch gets at least one piece of work done, whatever its lists cost.
+  program.set("budget", std::max(lane_, 2 * (cost_.stretch + cost_.step + cost_.sample) + 1));
+  program.set("stretchCost", cost_.stretch);
+  program.set("stepCost", cost_.step);
+  program.set("sampleCost", cost_.sample);
+}
+
+int MarchBudget::unfinished() {
+  int count = 0;
+  glGetNamedBufferSubData(states_.id(), 0, sizeof count, &count);
+  if (count == 0) dispatched_ = 0;
+  return count;
+}
+
+}  // namespace pileus::view

@@ -49,11 +49,17 @@ std::vector<double> sample(const ShadowBlock& block, int face, dvec2 uv) {
 bool hasMetric(const ShadowMap& map) { return map.metric && map.metric->block; }
 bool hasIntervals(const ShadowMap& map) { return hasMetric(map) && map.metric->options.metric == Metric::Interval; }
 
-/// lib/mixed_bit.glsl: may the footprint that begins at this texel not be blended?
-bool mixed(const ShadowMap& map, int face, ivec2 base) {
-  const float c = fetch(*map.block, face, base)[std::size_t(std::min(map.coefficients, 4) - 1)];
-  if (map.storage == Storage::Float) return (std::bit_cast<std::uint32_t>(c) & 1u) != 0;
-  return (glm::packHalf1x16(c) & 1u) != 0;
+/// blendOf in lib/mixed_bit.glsl: how the footprint that begins at this texel may be blended.
+enum class Blend { Whole, None, Rows, Columns };
+Blend blendOf(const ShadowMap& map, int face, ivec2 base) {
+  const std::vector<float> first = fetch(*map.block, face, base);
+  const auto lowBit = [&](std::size_t channel) {
+    if (map.storage == Storage::Float) return (std::bit_cast<std::uint32_t>(first[channel]) & 1u) != 0;
+    return (glm::packHalf1x16(first[channel]) & 1u) != 0;
+  };
+  if (!lowBit(std::size_t(std::min(map.coefficients, 4) - 1))) return Blend::Whole;
+  if (map.coefficients < 4 || !lowBit(2)) return Blend::None;
+  return lowBit(1) ? Blend::Columns : Blend::Rows;
 }
 
 MapTap readTap(const ShadowMap& map, int face, dvec2 uv) {
@@ -136,14 +142,21 @@ MapTaps readTaps(const ShadowMap& map, int face, dvec2 uv) {
   }
   // Not clamped, as in the shader: its first texel may be -1.
   const dvec2 at = uv * double(resolution) - 0.5, base = glm::floor(at);
-  if (map.kind != ShadowMap::Kind::Extinction || !hasIntervals(map) || !mixed(map, face, ivec2(base))) {
+  const Blend blend = map.kind == ShadowMap::Kind::Extinction && hasIntervals(map) ? blendOf(map, face, ivec2(base)) : Blend::Whole;
+  if (blend == Blend::Whole) {
     out.taps = {readTap(map, face, uv)};
     return out;
   }
   double whole = 0;
+  const dvec2 on = at - base;
   for (const ivec2 corner : {ivec2(0, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1)}) {
-    MapTap tap = readTap(map, face, (base + dvec2(corner) + 0.5) / double(resolution));
-    tap.weight = (bilinear(at - base, corner) + 1e-6) * (tap.metric[1] > tap.metric[0] ? 1.0 : 1e-6);
+    if ((blend == Blend::Rows && corner.x) || (blend == Blend::Columns && corner.y)) continue;
+    dvec2 place = (base + dvec2(corner) + 0.5) / double(resolution);
+    dvec2 share(corner.x ? on.x : 1 - on.x, corner.y ? on.y : 1 - on.y);
+    if (blend == Blend::Rows) place.x = uv.x, share.x = 1;
+    if (blend == Blend::Columns) place.y = uv.y, share.y = 1;
+    MapTap tap = readTap(map, face, place);
+    tap.weight = (share.x * share.y + 1e-6) * (tap.metric[1] > tap.metric[0] ? 1.0 : 1e-6);
     whole += tap.weight;
     out.taps.push_back(std::move(tap));
   }

@@ -1,15 +1,35 @@
 // A coefficient texel's footprint (itself, right, below, diagonal) is mixed when the intervals of its metrics do not match: then
-// neither metrics nor coefficients may be blended. The map's builder notes it in the lowest bit of one coefficient of the first layer.
+// neither metrics nor coefficients may be blended across it. Often its two rows or its two columns still match within themselves. The
+// map's builder notes what holds in the lowest bits of coefficients of the first layer, one each: mixed in the last of the layer's,
+// and with four or more coefficients "in pairs" in the third and "pairs are columns" in the second.
 #pragma once
 #include "shared/records.h"
 
+#define BLEND_WHOLE 0    // all four match
+#define BLEND_NONE 1     // each texel on its own
+#define BLEND_ROWS 2     // the two texels of a row match
+#define BLEND_COLUMNS 3  // the two of a column
+
 int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
-bool mixedBit(vec4 first, int coefficients, int store) {
-  float c = first[mixedChannel(coefficients)];
-  return store == STORE_FLOAT ? (floatBitsToUint(c) & 1u) != 0u : (packHalf2x16(vec2(c, 0.0)) & 1u) != 0u;
-}
-float withMixedBit(float c, bool mixed, int store) {
-  uint bit = mixed ? 1u : 0u;
+
+bool lowBit(float c, int store) { return store == STORE_FLOAT ? (floatBitsToUint(c) & 1u) != 0u : (packHalf2x16(vec2(c, 0.0)) & 1u) != 0u; }
+float withLowBit(float c, bool on, int store) {
+  uint bit = on ? 1u : 0u;
   if (store == STORE_FLOAT) return uintBitsToFloat((floatBitsToUint(c) & ~1u) | bit);
   return unpackHalf2x16((packHalf2x16(vec2(c, 0.0)) & ~1u) | bit).x;
+}
+
+int blendOf(vec4 first, int coefficients, int store) {
+  if (!lowBit(first[mixedChannel(coefficients)], store)) return BLEND_WHOLE;
+  if (coefficients < 4 || !lowBit(first.z, store)) return BLEND_NONE;
+  return lowBit(first.y, store) ? BLEND_COLUMNS : BLEND_ROWS;
+}
+
+vec4 withBlend(vec4 first, int blend, int coefficients, int store) {
+  first[mixedChannel(coefficients)] = withLowBit(first[mixedChannel(coefficients)], blend != BLEND_WHOLE, store);
+  if (coefficients >= 4) {
+    first.z = withLowBit(first.z, blend >= BLEND_ROWS, store);
+    first.y = withLowBit(first.y, blend == BLEND_COLUMNS, store);
+  }
+  return first;
 }

@@ -69,23 +69,26 @@ float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
   return tau;
 }
 
-// Within one kind of metric the hardware blends metric and coefficients and they are evaluated once; at silhouettes the four texels are
-// evaluated each by its own metric and transmittance is blended. `inMedium`: what is lit lies in a medium, so that a texel whose ray
-// meets none says nothing about it; to a surface such a texel is as good as any.
+// Within one kind of metric the hardware blends metric and coefficients and they are evaluated once; at silhouettes two rows, two columns
+// or four texels are evaluated each by its own metric and transmittance is blended. `inMedium`: what is lit lies in a medium, so that a
+// texel whose ray meets none says nothing about it; to a surface such a texel is as good as any.
 float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   ivec4 place = lights[light].coefficients.place;
-  int store = coefficientStoreOf(light);
+  int store = coefficientStoreOf(light), blend = BLEND_WHOLE;
   vec2 f = uv * float(place.z) - 0.5, base = floor(f), w = f - base;
-  int taps = 1;
-  if (metricOf(light) == METRIC_INTERVAL && mixedBit(fetchBlock(place, store, ivec2(base), face * lights[light].coefficients.kind.y), coefficientsOf(light), store)) taps = 4;
+  if (metricOf(light) == METRIC_INTERVAL)
+    blend = blendOf(fetchBlock(place, store, ivec2(base), face * lights[light].coefficients.kind.y), coefficientsOf(light), store);
+  int taps = blend == BLEND_WHOLE ? 1 : blend == BLEND_NONE ? 4 : 2;
+  // Axes along which texels are taken one by one; along the others the hardware blends.
+  bvec2 single = bvec2(blend == BLEND_NONE || blend == BLEND_COLUMNS, blend == BLEND_NONE || blend == BLEND_ROWS);
   float tau = 0.0, transmittance = 0.0, weights = 0.0;
   int tap = 0;
   do {
-    vec2 o = vec2(float(tap & 1), float(tap >> 1));
+    vec2 o = vec2(float(blend == BLEND_ROWS ? 0 : tap & 1), float(blend == BLEND_ROWS ? tap : tap >> 1));
     bool covers;
-    tau = extinctionTau(light, face, taps == 1 ? uv : (base + o + 0.5) / float(place.z), x, covers);
-    float weight = mix(1.0 - w.x, w.x, o.x) * mix(1.0 - w.y, w.y, o.y) + 1e-6;
-    weight *= covers || !inMedium ? 1.0 : 1e-6;
+    tau = extinctionTau(light, face, mix(uv, (base + o + 0.5) / float(place.z), single), x, covers);
+    vec2 share = mix(vec2(1.0), mix(1.0 - w, w, o), single);
+    float weight = (share.x * share.y + 1e-6) * (covers || !inMedium ? 1.0 : 1e-6);
     transmittance += weight * exp(-tau);
     weights += weight;
     ++tap;

@@ -2,7 +2,7 @@
 // texel, float registers, one store). Projecting m = sigma ds keeps the end of the ray exact for any metric.
 #include "lib/tiles.glsl"
 #include "lib/shadow_blocks.glsl"
-#include "lib/mixed_bit.glsl"
+#include "lib/footprint.glsl"
 #include "lib/project_volume.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -24,15 +24,11 @@ void main() {
   float m[METRIC_FLOATS], w[kIntervals];
   for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
   for (int i = 0; i < kIntervals; ++i) w[i] = 1.0;
-  bool mixed = false;
+  int blend = BLEND_WHOLE;
 #if METRIC != METRIC_NONE
   loadMetric(0, mt.face, uv, m, w);
 #if METRIC == METRIC_INTERVAL
-  for (int tap = 1; tap < 4; ++tap) {
-    float o[METRIC_FLOATS], v[kIntervals];
-    loadMetric(0, mt.face, uv + vec2(float(tap & 1), float(tap >> 1)) / float(mapEdge), o, v);
-    mixed = mixed || !intervalsMatch(m, w, o, v);
-  }
+  blend = footprintBlend(mt.face, uv, 1.0 / float(mapEdge), m, w);
 #endif
 #endif
   Projection p = emptyProjection();
@@ -41,7 +37,7 @@ void main() {
   ivec3 at = ivec3(block.place.xy + mt.texel, block.place.w + mt.face * block.kind.y);
   for (int layer = 0; layer < (BASIS_FLOATS + 3) / 4; ++layer) {
     vec4 v = projectionLayer(p, layer);
-    if (layer == 0) v[mixedChannel(BASIS_FLOATS)] = withMixedBit(v[mixedChannel(BASIS_FLOATS)], mixed, STORE);
+    if (layer == 0) v = withBlend(v, blend, BASIS_FLOATS, STORE);
     imageStore(target, at + ivec3(0, 0, layer), v);
   }
 #if HORIZON

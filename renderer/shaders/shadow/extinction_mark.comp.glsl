@@ -1,7 +1,7 @@
 // Notes in a splatted extinction map which texels must not be blended (gathering does so while it stores).
 #include "lib/map_texel.glsl"
 #include "lib/shadow_blocks.glsl"
-#include "lib/mixed_bit.glsl"
+#include "lib/footprint.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #if STORE == STORE_FLOAT
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2DArray target;
@@ -16,14 +16,7 @@ void main() {
   vec2 uv = texelUv(mt);
   float m[METRIC_FLOATS], w[kIntervals];
   loadMetric(0, mt.face, uv, m, w);
-  bool mixed = false;
-  for (int tap = 1; tap < 4; ++tap) {
-    float o[METRIC_FLOATS], v[kIntervals];
-    loadMetric(0, mt.face, uv + vec2(float(tap & 1), float(tap >> 1)) / float(mapEdge), o, v);
-    mixed = mixed || !intervalsMatch(m, w, o, v);
-  }
   ivec3 at = ivec3(block.place.xy + mt.texel, block.place.w + mt.face * block.kind.y);
   vec4 first = imageLoad(target, at);
-  first[mixedChannel(COEFFICIENTS)] = withMixedBit(first[mixedChannel(COEFFICIENTS)], mixed, STORE);
-  imageStore(target, at, first);
+  imageStore(target, at, withBlend(first, footprintBlend(mt.face, uv, 1.0 / float(mapEdge), m, w), COEFFICIENTS, STORE));
 }

@@ -105,7 +105,6 @@ struct ShadowStoreState {
     }
     gl::Texture grown(GL_TEXTURE_2D_ARRAY, kFormats[kind], size, kLabels[kind]);
     grown.filter(GL_LINEAR);
-    if (kind == STORE_BYTE) grown.wrap(GL_CLAMP_TO_BORDER);  // with CLAMP_TO_EDGE llvmpipe filters 8-bit texels in 8 bits; no lookup leaves its block
     if (glGetError() == GL_OUT_OF_MEMORY) return fail(Code::Gpu, "out of GPU memory: {} MiB for shadow maps", bytes >> 20);
     if (a.texture) glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, grown.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, old.x, old.y, old.z);
     a.texture = std::move(grown);

@@ -12,11 +12,14 @@
 
 int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
 
-bool lowBit(float c, int store) { return store == STORE_FLOAT ? (floatBitsToUint(c) & 1u) != 0u : (packHalf2x16(vec2(c, 0.0)) & 1u) != 0u; }
+// A normal half's lowest bit is bit 13 of the float it reads as; converting back would cost more than the rest of the test.
+bool lowBit(float c, int store) { return ((floatBitsToUint(c) >> (store == STORE_FLOAT ? 0u : 13u)) & 1u) != 0u; }
 float withLowBit(float c, bool on, int store) {
   uint bit = on ? 1u : 0u;
   if (store == STORE_FLOAT) return uintBitsToFloat((floatBitsToUint(c) & ~1u) | bit);
-  return unpackHalf2x16((packHalf2x16(vec2(c, 0.0)) & ~1u) | bit).x;
+  uint h = packHalf2x16(vec2(c, 0.0)) & 0xFFFFu;
+  if ((h & 0x7C00u) == 0u) h = (h & 0x8000u) | 0x0400u;  // the smallest normal half, 6e-5
+  return unpackHalf2x16((h & ~1u) | bit).x;
 }
 
 int blendOf(vec4 first, int coefficients, int store) {

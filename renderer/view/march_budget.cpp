@@ -11,6 +11,8 @@ namespace {
 // Iterations of one lookup in a stored shadow: four texels, and of a deep map a binary search in each.
 constexpr double kLookup = 8, kDeepLookup = 64;
 
+static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535 - 4000, "8 lanes, each in the longest march of its own");
+
 /// The longest way through a volume, metres.
 double longestWay(const volume::Instance& i) {
   const Box3 local = volume::localBounds(i);

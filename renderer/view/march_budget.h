@@ -28,7 +28,7 @@ class MarchBudget {
   /// In one dispatch up to here: the estimate is a bound, but drivers count loops we do not.
   static constexpr double kOneDispatch = 40000;
   /// Iterations a lane may begin more work with: 8 lanes x (kLane + the longest march through a volume) < 65535.
-  static constexpr int kLane = 5000;
+  static constexpr int kLane = 3500;
 
   static constexpr int kNever = -1;
   /// `lane` kNever: one dispatch whatever it costs; > 0: pauses on every device, wherever a lane has run so many iterations (for tests).

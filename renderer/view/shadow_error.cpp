@@ -68,7 +68,8 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
     if (took < 0.5 * kRegionMs) width_ = std::min(2 * width_, 4096);
     if (took > 2 * kRegionMs) width_ = std::max(width_ / 2, 8);
     next_ = to.x < options_.size.x ? ivec2(to.x, from.y) : ivec2(0, to.y);
-    fraction_ = next_.y >= options_.size.y ? 1.0 : (next_.y + static_cast<double>(kRows * next_.x) / options_.size.x) / options_.size.y;
+    const int rows = std::min(kRows, options_.size.y - next_.y);  // the last strip may be lower
+    fraction_ = rows <= 0 ? 1.0 : (next_.y + static_cast<double>(rows * next_.x) / options_.size.x) / options_.size.y;
     if (clock.ms() >= ms) break;
   }
   return fraction_;

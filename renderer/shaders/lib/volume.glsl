@@ -159,7 +159,6 @@ float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
     float begin = t0 + (float(i) + 0.5) * ds;
     int next = stepAtOrBehind(i, emptyUntil(r, begin), t0, 0.5, ds);
     MARCH_SAMPLE(0) MARCH_SAMPLE(1) MARCH_SAMPLE(2) MARCH_SAMPLE(3)
-    MARCH_SAMPLE(4) MARCH_SAMPLE(5) MARCH_SAMPLE(6) MARCH_SAMPLE(7)
     i = max(next, i + MARCH_UNROLL);
     SPEND(1);
   } while (i < n);

@@ -1,13 +1,21 @@
 #include "renderer/shadow/extinction_map.h"
 
+#include <algorithm>
+
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/resume.h"
 #include "renderer/shadow/additive_target.h"
 
 namespace pileus::shadow {
+namespace {
+
+constexpr int kSoftwareEdge = 64;  // of a region
+
+}  // namespace
 
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum)
-    : options_(options), map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, options.resolution, 64) {
+    : options_(options), map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, options.resolution, kSoftwareEdge) {
   map_->light = light;
   map_->volumes = pass_.volumes();
   map_->basis = options.basis == Basis::Piecewise ? Basis::Cosine : options.basis;  // no intervals
@@ -80,11 +88,39 @@ gl::Defines ExtinctionPass::defines() const {
           {"SHAPES", pass_.shapes()}};
 }
 
+int ExtinctionPass::batch(const Gpu& gpu) const {
+  // llvmpipe ends all loops of an invocation once they have run 65535 times in total. A volume costs at most two iterations a step; lanes
+  // that find their steps at different places wait for each other, which the room left here is for.
+  constexpr double kOneDispatch = 20000;
+  if (!gpu.device.software) return 0;
+  double most = 1;
+  for (const volume::Instance& i : pass_.volumes()) {
+    const dvec3 size = volume::localBounds(i).size();
+    double way = 0;
+    for (int axis = 0; axis < 3; ++axis) way += glm::length(dvec3(i.worldFromLocal[axis])) * size[axis];
+    most = std::max(most, i.shape == volume::Shape::Grid ? std::min(way / volume::detailSize(i), 8192.0) : 64.0);
+  }
+  const int volumes = std::max(1, static_cast<int>(kOneDispatch / (2 * most)));
+  return volumes < pass_.longestList() ? volumes : 0;
+}
+
 Result<void> ExtinctionPass::gather(const Gpu& gpu) {
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_map.comp.glsl"}, defines()));
+  const int volumes = batch(gpu), batches = volumes > 0 ? (pass_.longestList() + volumes - 1) / volumes : 1;
+  gl::Defines variant = defines();
+  variant.push_back({"BATCHED", volumes > 0});
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_map.comp.glsl"}, variant));
+  if (volumes > 0) {
+    constexpr std::size_t kTexels = kSoftwareEdge * kSoftwareEdge;
+    sums_.reserve(kTexels * static_cast<std::size_t>(options_.coefficients + 2) * sizeof(float));
+    sums_.bindStorage(BIND_MARCH_STATES);
+  }
   glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->block->format());
   if (map_->horizon) glBindImageTexture(IMAGE_TARGET + 1, map_->horizon->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->horizon->format());
-  pass_.dispatch(gpu, *program);
+  for (int i = 0; i < batches; ++i) {
+    if (volumes > 0) program->set("batch", ivec2(i, volumes));
+    pass_.dispatch(gpu, *program);
+    if (volumes > 0) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
   return {};
 }
 

@@ -22,6 +22,8 @@ class ExtinctionPass {
  private:
   Result<void> allocate(const Gpu& gpu);
   gl::Defines defines() const;
+  /// Volumes one dispatch may project on a texel; 0: all there are.
+  int batch(const Gpu& gpu) const;
   Result<void> gather(const Gpu& gpu);
   Result<void> splat(const Gpu& gpu);
   Result<void> mark(const Gpu& gpu);
@@ -30,6 +32,7 @@ class ExtinctionPass {
   ExtinctionOptions options_;
   std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
+  gl::Buffer sums_{"extinction sums"};  ///< of a region's texels, between batches
   int splatted_ = 0;  ///< volumes drawn so far
 };
 

@@ -190,7 +190,7 @@ TEST(LoopLimit, ShadowErrorOfManySteps) {
 }
 
 TEST(LoopLimit, ExtinctionMapOverManyFineGrids) {
-  for (const int count : {8, 40}) {
+  for (const int count : {8, 40, 80}) {
     volume::InstanceList volumes;
     volume::Instance one = block(1024, 2, 0.02);
     for (int i = 0; i < count; ++i) {

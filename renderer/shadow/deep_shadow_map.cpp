@@ -1,11 +1,20 @@
 #include "renderer/shadow/deep_shadow_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
 
 namespace pileus::shadow {
+namespace {
+
+constexpr int kMostDoublings = 14;  ///< from 5e-5 to more than 0.5
+
+/// Twin of boundAfter in deep_map.comp.glsl.
+double boundAfter(double errorBound, int doublings) { return doublings == 0 ? errorBound : std::ldexp(std::max(errorBound, 5e-5), doublings); }
+
+}  // namespace
 
 DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, const LightFrustum& frustum)
     : map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, spec.resolution, 64) {
@@ -28,9 +37,22 @@ Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
     map_->deep->bindImage(IMAGE_TARGET);
     program->set("blockFirst", int(map_->deep->first()));
   }
-  glBindImageTexture(IMAGE_TARGET + 1, counts_.id(), 0, GL_FALSE, 0, fill ? GL_READ_ONLY : GL_WRITE_ONLY, GL_RGBA32UI);
-  pass_.dispatch(gpu, *program);
+  glBindImageTexture(IMAGE_TARGET + 1, counts_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
+  for (int doublings = 0; doublings <= kMostDoublings; ++doublings) {
+    program->set("doublings", doublings);
+    pass_.dispatch(gpu, *program);
+    if (fill || !overBudget()) break;
+  }
   return {};
+}
+
+/// Does any texel of the region just counted need more vertices than it may keep?
+bool DeepShadowPass::overBudget() const {
+  const ivec2 origin = pass_.regionOrigin(), size = pass_.regionEnd() - origin;
+  std::vector<uvec4> counts(std::size_t(size.x) * std::size_t(size.y));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureSubImage(counts_.id(), 0, origin.x, origin.y, 0, size.x, size.y, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)), counts.data());
+  return std::any_of(counts.begin(), counts.end(), [&](const uvec4& c) { return int(c.x) > map_->spec.nodeBudget; });
 }
 
 /// Gives each texel its place behind the headers.
@@ -54,7 +76,7 @@ Result<void> DeepShadowPass::place(const Gpu& gpu) {
         statistics_.vertices += c.x;
         statistics_.rawVertices += c.y;
         if (c.z > 0) ++statistics_.overBudget;
-        if (c.x > 0) statistics_.worstBound = std::max(statistics_.worstBound, std::ldexp(map_->spec.errorBound, int(c.z)));
+        if (c.x > 0) statistics_.worstBound = std::max(statistics_.worstBound, boundAfter(map_->spec.errorBound, int(c.z)));
       }
   PILEUS_TRY(map_->deep, gpu.store.allocateDeep(next));
   map_->deep->write(0, headers);

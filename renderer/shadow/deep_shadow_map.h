@@ -27,6 +27,7 @@ class DeepShadowPass {
 
  private:
   Result<void> run(const Gpu& gpu, bool fill);
+  bool overBudget() const;
   Result<void> place(const Gpu& gpu);
   std::shared_ptr<ShadowMap> map_;
   MapPass pass_;

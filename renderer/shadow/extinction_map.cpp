@@ -128,12 +128,12 @@ Result<void> ExtinctionPass::splat(const Gpu& gpu) {
   const gpu::BlockRecord block = map_->block->record();
   const int edge = block.place.z, layers = block.kind.y;
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_splat.vert.glsl", "shadow/extinction_splat.frag.glsl"}, defines()));
-  const auto bounds = mapBounds(pass_.volumes(), map_->frustum, edge, pass_.faceStride());
+  if (splatted_ == 0) bounds_ = mapBounds(pass_.volumes(), map_->frustum, edge, pass_.faceStride());
   AdditiveTarget target;
   for (int face = 0; face < block.kind.z; ++face) {
     target.attach(map_->block->texture(), block.place.w + face * layers, layers, ivec2(block.place), edge, splatted_ == 0);
     if (pass_.volumes().empty()) continue;
-    const residency::PixelBounds& b = bounds[std::size_t(face) * pass_.volumes().size() + std::size_t(splatted_)];
+    const residency::PixelBounds& b = bounds_[std::size_t(face) * pass_.volumes().size() + std::size_t(splatted_)];
     if (b.min.x >= b.max.x || b.min.y >= b.max.y) continue;
     const ivec2 origin = ivec2(block.place) + b.min - ivec2(0, face * pass_.faceStride());
     glScissor(origin.x, origin.y, b.max.x - b.min.x, b.max.y - b.min.y);

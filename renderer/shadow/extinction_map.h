@@ -34,6 +34,7 @@ class ExtinctionPass {
   MapPass pass_;
   gl::Buffer sums_{"extinction sums"};  ///< of a region's texels, between batches
   int splatted_ = 0;  ///< volumes drawn so far
+  std::vector<residency::PixelBounds> bounds_;  ///< of all volumes on the map, for splatting
 };
 
 }  // namespace pileus::shadow

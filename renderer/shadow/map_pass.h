@@ -30,6 +30,8 @@ class MapPass {
   void restart() { cursor_.next = 0; }
   void finish() { cursor_.next = cursor_.count(); }
   double fraction() const { return double(cursor_.next) / cursor_.count(); }
+  ivec2 regionOrigin() const { return cursor_.origin(); }  ///< in the tall map, of the region at the cursor
+  ivec2 regionEnd() const { return cursor_.end(); }
   double takeGpuMs() { return timer_.takeMs(); }
   gl::GpuTimer& timer() { return timer_; }
 

@@ -285,6 +285,19 @@ TEST(Representations, DeepMapsKeepTheirBoundAndCompressSmoke) {
   EXPECT_GT(s.overBudget, 0u);
   EXPECT_LE(s.vertices, s.texels * 6);
   EXPECT_GT(s.worstBound, 0.001);
+  // The budget of a lossless map too: what is written is what was counted, and T stays within the bound that was given out.
+  tight.errorBound = 0;
+  shadow::ShadowPass lossless(tight, light, volumes);
+  while (*lossless.step(test::renderer().gpu(), 1e12) < 1) {
+  }
+  const auto l = *lossless.deepStatistics();
+  EXPECT_LE(l.vertices, l.texels * 6);
+  const auto truth = build(deep(0, 128), volumes, light);
+  const auto tau = test::lookupTau(*lossless.map(), light, at), want = test::lookupTau(*truth, light, at);
+  double worst = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) worst = std::max(worst, std::abs(T(double(tau[i])) - T(double(want[i]))));
+  std::printf("deep map of at most 6 vertices: bounds up to %.4f, largest error %.4f\n", l.worstBound, worst);
+  EXPECT_LE(worst, l.worstBound + 1e-5);
 }
 
 TEST(Representations, PrefilteredDeepMapsAverageTransmittance) {

@@ -10,13 +10,15 @@ uniform int blockFirst;  // of the map in the buffer
 #endif
 layout(rgba32ui, binding = IMAGE_TARGET + 1) uniform uimage2D counts;  // kept, raw, doublings of the bound, first vertex
 uniform float errorBound;
-uniform int nodeBudget;
+uniform int nodeBudget, doublings;
 const int kRays = FILTER * FILTER;
-const int kMaxDoublings = 12;
 
 // The compressor: last vertex, window of slopes, last point seen.
 float lastX = 0.0, lastT = 1.0, slopeLow = -1e30, slopeHigh = 1e30, seenX = 0.0, bound = 0.0;
 int kept = 0, raw = 0, firstVertex = 0;
+
+// The bound after so many doublings; one that is next to nothing starts from where floats can tell.
+float boundAfter(int doublings) { return doublings == 0 ? errorBound : max(errorBound, 5e-5) * exp2(float(doublings)); }
 
 void emit(float x, float T) {
 #if FILL
@@ -85,17 +87,17 @@ void main() {
   uvec4 count = uvec4(0u);
 #if FILL
   count = imageLoad(counts, mt.tall);
-  bound = errorBound * exp2(float(count.z));
+  bound = boundAfter(int(count.z));
   firstVertex = int(count.w);
   if (count.x > 0u) compress(mt);
 #else
-  bound = errorBound;
-  do {
-    compress(mt);
-    if (kept <= nodeBudget || int(count.z) >= kMaxDoublings) break;
-    bound = max(2.0 * bound, 1e-4 * exp2(float(count.z)));
-    ++count.z;
-  } while (true);
-  imageStore(counts, mt.tall, uvec4(uint(kept), uint(raw), count.z, 0u));
+  // One compression a dispatch: a texel over its budget is counted again by the next one, with twice the bound.
+  if (doublings > 0) {
+    count = imageLoad(counts, mt.tall);
+    if (int(count.x) <= nodeBudget) return;
+  }
+  bound = boundAfter(doublings);
+  compress(mt);
+  imageStore(counts, mt.tall, uvec4(uint(kept), uint(raw), uint(doublings), 0u));
 #endif
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/view/compare.h"
+
 namespace pileus::view {
 namespace {
 
@@ -112,11 +114,7 @@ void drawGroupHeader(Canvas& canvas, int top, const std::string& name, const std
 
 }  // namespace
 
-vec3 signedColor(double v) {
-  const float t = float(std::sqrt(std::min(std::abs(v), 1.0)));  // small errors are to be seen
-  const vec3 end = v < 0 ? vec3(0.25f, 0.55f, 1.0f) : vec3(1.0f, 0.33f, 0.20f);
-  return glm::mix(vec3(0.06f), end, t);
-}
+vec3 signedColor(double v) { return falseColour(std::copysign(std::sqrt(std::min(std::abs(v), 1.0)), v)); }
 
 Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries, const image::ColorConfig& config, const SheetOptions& options) {
   if (entries.empty() || entries.front().picture.layers.empty()) return fail(Code::Internal, "a contact sheet needs the truth");

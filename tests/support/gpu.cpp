@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "renderer/shaders/shared/bindings.h"
+#include "renderer/view/shadow_probe.h"
 
 namespace pileus::test {
 namespace {
@@ -65,28 +65,11 @@ std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& vo
 }
 
 std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& light, const std::vector<vec3>& positions) {
-  const shadow::Gpu gpu = renderer().gpu();
-  const std::vector<shadow::ShadowedLight> lights{{light, std::shared_ptr<const shadow::ShadowMap>(&map, [](auto*) {})}};
-  gl::Program* program = must(gpu.shaders.program({"test/lookup.comp.glsl"}, shadow::lookupDefines(lights)));
-  const gpu::LightRecord record = shadow::makeRecord(light, &map);
+  shadow::ShadowMap lit = map;  // by the light that is asked for
+  lit.light = light;
   std::vector<vec4> padded;
   for (const vec3& p : positions) padded.push_back(vec4(p, 0));
-  gl::Buffer lightBuffer, in, out;
-  lightBuffer.reserve(MAX_LIGHTS * sizeof record);
-  lightBuffer.assign(&record, sizeof record);
-  in.assign(std::span<const vec4>(padded));
-  out.reserve(padded.size() * sizeof(float));
-  program->use();
-  gpu.store.bind();
-  lightBuffer.bindUniform(BIND_LIGHTS);
-  in.bindStorage(BIND_TEST_IN);
-  out.bindStorage(BIND_TEST_OUT);
-  program->set("count", int(padded.size()));
-  glDispatchCompute(GLuint((padded.size() + 63) / 64), 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  std::vector<float> tau(padded.size());
-  glGetNamedBufferSubData(out.id(), 0, GLsizeiptr(tau.size() * sizeof(float)), tau.data());
-  return tau;
+  return must(view::lookupTau(renderer().gpu(), lit, padded));
 }
 
 std::vector<float> texel(const shadow::ShadowBlock& block, ivec2 at) {

@@ -12,6 +12,7 @@
 
 #include <fmt/ranges.h>
 
+#include "editor/cli/graph_file.h"
 #include "nodes/evaluator.h"
 #include "nodes/serialize.h"
 #include "renderer/base/file.h"
@@ -39,30 +40,24 @@ int report(const Error& e) {
 
 /// The graph with --set and --size applied. Faults of the file are printed; any error among them ends it.
 Result<Graph> prepared(const RenderOptions& o) {
-  PILEUS_TRY(nodes::Loaded loaded, nodes::loadGraph(o.file));
-  bool bad = false;
-  for (const nodes::Fault& f : loaded.faults) {
-    std::fprintf(stderr, "pileus: %s: %s\n", o.file.c_str(), nodes::faultText(f).c_str());
-    bad |= f.error;
-  }
-  if (bad) return fail(Code::Input, "{}: not rendered because of the errors above", o.file.string());
+  PILEUS_TRY(Graph graph, loadFaultless(o.file, "rendered"));
   for (const std::string& text : o.set) {
     const std::size_t equals = text.find('='), dot = text.rfind('.', equals);
     if (equals == text.npos || dot == text.npos) return fail(Code::Arguments, "--set: '{}' is not Node.param=value", text);
     const std::string node = text.substr(0, dot), param = text.substr(dot + 1, equals - dot - 1);
-    const nodes::Node* found = nodes::findNode(loaded.graph, node);
+    const nodes::Node* found = nodes::findNode(graph, node);
     if (!found) return fail(Code::Arguments, "--set: {} has no node named '{}'", o.file.string(), node);
     const nodes::NodeType* type = nodes::findNodeType(found->type);
     const nodes::ParamSpec* spec = type ? type->param(param) : nullptr;
     if (!spec) return fail(Code::Arguments, "--set: {} ({}) has no parameter '{}'", node, found->type, param);
     auto value = nodes::parseParam(*spec, std::string_view(text).substr(equals + 1));
     if (!value) return fail(Code::Arguments, "--set: {}.{}: {}", node, param, value.error().message);
-    auto edited = nodes::setParam(loaded.graph, node, param, *value);
+    auto edited = nodes::setParam(graph, node, param, *value);
     if (!edited) return fail(Code::Arguments, "--set: {}", edited.error().message);
-    loaded.graph = std::move(edited).value();
+    graph = std::move(edited).value();
   }
-  if (o.size) loaded.graph.settings.size = *o.size;
-  return std::move(loaded.graph);
+  if (o.size) graph.settings.size = *o.size;
+  return graph;
 }
 
 /// The node that `-o` stands for: an EXR output before a view.
@@ -127,26 +122,13 @@ Result<void> evaluateFrame(nodes::Evaluator& evaluator, const Graph& graph, cons
 
 /// Display-referred PNG beside the EXR, through the view node's (or the default) display transform.
 Result<void> writePreview(const fs::path& path, const image::Image& picture, const Graph& graph, const std::string& target, const fs::path& folder) {
-  std::string ocio = graph.settings.ocio;
-  if (!ocio.empty() && fs::path(ocio).is_relative() && ocio.find("://") == ocio.npos) ocio = (folder / ocio).string();
-  PILEUS_TRY(const auto config, image::ColorConfig::load(ocio));
-  std::string display, view;
-  double exposure = 0;
-  std::string shown = target;
-  if (nodes::findNode(graph, target)->type != "output.view")
-    for (const std::string& n : nodes::outputNodes(graph))
-      if (nodes::findNode(graph, n)->type == "output.view") shown = n;
-  if (const nodes::Node* node = nodes::findNode(graph, shown); node->type == "output.view") {
-    const nodes::NodeType& type = *nodes::findNodeType("output.view");
-    display = std::get<std::string>(nodes::paramValue(*node, *type.param("display")));
-    view = std::get<std::string>(nodes::paramValue(*node, *type.param("view")));
-    exposure = std::get<double>(nodes::paramValue(*node, *type.param("exposure")));
-  }
+  PILEUS_TRY(const auto config, colorConfigOf(graph, folder));
+  const DisplayChoice choice = displayOf(graph, target);
   std::vector<float> rgba = picture.layers.front().pixels;
-  const float gain = float(std::exp2(exposure));
+  const float gain = float(std::exp2(choice.exposure));
   for (std::size_t i = 0; i < rgba.size(); ++i)
     if (i % 4 != 3) rgba[i] *= gain;
-  PILEUS_CHECK(config->applyCpu(display, view, rgba.data(), rgba.size() / 4));
+  PILEUS_CHECK(config->applyCpu(choice.display, choice.view, rgba.data(), rgba.size() / 4));
   return image::writePng(path, picture.size, rgba.data());
 }
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "editor/cli/graph_file.h"
 #include "nodes/evaluator.h"
-#include "nodes/serialize.h"
 #include "renderer/view/picture.h"
 
 namespace fs = std::filesystem;
@@ -17,17 +17,6 @@ namespace {
 
 volatile sig_atomic_t stopped = 0;
 void onSignal(int) { stopped = 1; }
-
-Result<nodes::Graph> load(const fs::path& file) {
-  PILEUS_TRY(nodes::Loaded loaded, nodes::loadGraph(file));
-  bool bad = false;
-  for (const nodes::Fault& f : loaded.faults) {
-    fmt::print(stderr, "pileus: {}: {}\n", file.string(), nodes::faultText(f));
-    bad |= f.error;
-  }
-  if (bad) return fail(Code::Input, "{}: not measured because of the errors above", file.string());
-  return std::move(loaded.graph);
-}
 
 bool hasLights(const nodes::Graph& graph, const std::string& node) {
   return std::any_of(graph.links.begin(), graph.links.end(), [&](const nodes::Link& l) { return !l.muted && l.toNode == node && l.toSocket == "lights"; });
@@ -60,22 +49,22 @@ Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode)
   ::signal(SIGINT, onSignal);
   ::signal(SIGTERM, onSignal);
   SceneFile out;
-  PILEUS_TRY(out.graph, load(file));
+  PILEUS_TRY(out.graph, loadFaultless(file, "measured"));
   PILEUS_TRY(out.renderNode, chooseRender(out.graph, file, renderNode));
   PILEUS_TRY(out.context, gl::HeadlessContext::create());
   PILEUS_TRY(out.renderer, view::Renderer::create());
-  // Only the scene is wanted: one sample of a small picture.
+  // Only the scene is wanted: a draft of a small picture, with small maps.
   nodes::EvalSettings settings;
+  settings.quality = nodes::Quality::Draft;
   settings.frame = out.graph.settings.frames.x;
   settings.size = glm::max(out.graph.settings.size / std::max(1, out.graph.settings.size.x / 64), ivec2(1));
   settings.folder = fs::absolute(file).parent_path();
   settings.budgetMs = 250;
-  PILEUS_TRY(const nodes::Graph quick, nodes::setParam(out.graph, out.renderNode, "samples", 1));
   nodes::Evaluator evaluator(out.renderer.get());
   MeasureProgress progress;
   for (nodes::EvalReport r; !r.complete;) {
     if (interrupted()) return fail(Code::Cancelled, "cancelled");
-    r = evaluator.evaluate(quick, {out.renderNode}, settings);
+    r = evaluator.evaluate(out.graph, {out.renderNode}, settings);
     progress.show(r.fraction, "Evaluating " + out.renderNode);
     if (r.waitingForJobs) std::this_thread::sleep_for(std::chrono::milliseconds(3));
   }
@@ -90,8 +79,11 @@ Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode)
   if (!image || !image->picture || !image->picture->scene) return fail(Code::Input, "{}: {} gives no picture", file.string(), out.renderNode);
   out.scene = *image->picture->scene;
   out.scene.options.size = out.graph.settings.size;
+  // What a draft has changed.
   const nodes::Node& node = *nodes::findNode(out.graph, out.renderNode);
-  out.scene.options.samples = std::get<int>(nodes::paramValue(node, *nodes::findNodeType(node.type)->param("samples"), settings.frame));
+  const nodes::NodeType& type = *nodes::findNodeType(node.type);
+  out.scene.options.samples = std::get<int>(nodes::paramValue(node, *type.param("samples"), settings.frame));
+  out.scene.options.stepScale = std::get<double>(nodes::paramValue(node, *type.param("step_scale"), settings.frame));
   if (out.scene.lights.empty()) return fail(Code::Input, "{}: no light reaches {}", file.string(), out.renderNode);
   if (out.scene.volumes.empty()) return fail(Code::Input, "{}: no volume reaches {}", file.string(), out.renderNode);
   return out;

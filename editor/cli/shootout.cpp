@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "editor/cli/graph_file.h"
 #include "editor/cli/scene_file.h"
 #include "renderer/base/file.h"
 #include "renderer/base/profile.h"
@@ -23,21 +24,6 @@ Result<void> prepareFolder(const fs::path& folder, bool overwrite) {
   fs::create_directories(folder, ec);
   if (ec) return fail(Code::Input, "{}: {}", folder.string(), ec.message());
   return {};
-}
-
-/// Display, view and exposure of the file's first view node, as `render --png` has it.
-view::SheetOptions sheetOptions(const nodes::Graph& graph) {
-  view::SheetOptions o;
-  for (const std::string& name : nodes::outputNodes(graph)) {
-    const nodes::Node& node = *nodes::findNode(graph, name);
-    if (node.type != "output.view") continue;
-    const nodes::NodeType& type = *nodes::findNodeType(node.type);
-    o.display = std::get<std::string>(nodes::paramValue(node, *type.param("display")));
-    o.view = std::get<std::string>(nodes::paramValue(node, *type.param("view")));
-    o.exposure = std::get<double>(nodes::paramValue(node, *type.param("exposure")));
-    return o;
-  }
-  return o;
 }
 
 std::string label(const view::ShootoutEntry& e, const view::ShadowMeasure& m) {
@@ -77,10 +63,12 @@ Result<void> run(const ShootoutArguments& a) {
   }
   progress.finish();
   PILEUS_CHECK(writeFileAtomic(folder / "shootout.csv", view::shootoutCsv(shootout.entries())));
-  std::string ocio = file.graph.settings.ocio;
-  if (!ocio.empty() && fs::path(ocio).is_relative() && ocio.find("://") == ocio.npos) ocio = (fs::absolute(a.file).parent_path() / ocio).string();
-  PILEUS_TRY(const auto config, image::ColorConfig::load(ocio));
-  view::SheetOptions sheet = sheetOptions(file.graph);
+  PILEUS_TRY(const auto config, colorConfigOf(file.graph, fs::absolute(a.file).parent_path()));
+  const DisplayChoice choice = displayOf(file.graph);
+  view::SheetOptions sheet;
+  sheet.display = choice.display;
+  sheet.view = choice.view;
+  sheet.exposure = choice.exposure;
   sheet.title = a.file.stem().string();
   const std::size_t lights = file.scene.lights.size();
   sheet.subtitle = fmt::format("{} light{}, {} points in the media against exact transmittance; {} x {} pixels, {} samples; {}", lights, lights == 1 ? "" : "s (the worst one's error is shown)",

@@ -34,16 +34,19 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
     return ivec2(first, int(list.size()));
   };
   rangeOf(solids);
+  std::vector<Key> keys;  // of volumes_
+  for (const volume::Instance& i : volumes_) keys.push_back(volume::contentKey({i}));
   for (const shadow::ShadowedLight& l : lights_) {
     blockers_.push_back(l.shadow ? rangeOf(l.shadow->solids) : ivec2(0));
     const int first = int(marchItems_.size());
     if (l.shadow && l.shadow->kind == shadow::ShadowMap::Kind::RayMarch) {
       for (const volume::Instance& i : residency::canonical(l.shadow->volumes)) {
         const Key key = volume::contentKey({i});
-        std::size_t at = 0;
-        while (at < volumes_.size() && volume::contentKey({volumes_[at]}) != key) ++at;
-        if (at == volumes_.size()) volumes_.push_back(i);
-        marchItems_.push_back(int(at));
+        const auto at = std::find(keys.begin(), keys.end(), key);
+        marchItems_.push_back(int(at - keys.begin()));
+        if (at != keys.end()) continue;
+        volumes_.push_back(i);
+        keys.push_back(key);
       }
     }
     marched_.push_back({first, int(marchItems_.size()) - first});
@@ -67,7 +70,8 @@ gl::Defines LightSet::defines() const {
 }
 
 void LightSet::bind(const shadow::ShadowStore& store) {
-  std::vector<gpu::LightRecord> records;
+  std::vector<gpu::LightRecord>& records = made_;
+  records.clear();
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const shadow::ShadowMap* shadow = lights_[i].shadow.get();
     gpu::LightRecord& r = records.emplace_back(shadow::makeRecord(lights_[i].light, shadow));

@@ -37,6 +37,7 @@ class LightSet {
   std::vector<int> marchItems_;
   std::vector<gpu::SolidRecord> solids_;
   std::vector<ivec2> marched_, blockers_;  ///< per light: first and count in marchItems_ and in solids_
+  std::vector<gpu::LightRecord> made_;     ///< by the last bind(); kept for its storage
   bool uploaded_ = false;
   gl::Buffer records_{"light records"}, items_{"shadow items"}, solidRecords_{"solid records"};
 };

@@ -1,6 +1,8 @@
 #include "renderer/view/shadow_measure.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "renderer/base/profile.h"
 
@@ -29,6 +31,18 @@ std::unique_ptr<SampleJob> startSampling(std::vector<Caster> casters, const Samp
     }
     return out;
   });
+}
+
+Result<bool> takeSamples(std::unique_ptr<SampleJob>& job, std::vector<ShadowSamples>& samples, double ms) {
+  const Stopwatch clock;
+  while (!job->done()) {
+    if (clock.ms() >= ms) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (!job->result()) return job->result().error();
+  samples = *job->result();
+  job.reset();
+  return true;
 }
 
 MeasurePass::MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, const ShadowSamples& samples, int dispatches)

@@ -22,6 +22,9 @@ std::vector<Caster> casters(const RenderScene& scene);
 using SampleJob = Job<std::vector<ShadowSamples>>;
 std::unique_ptr<SampleJob> startSampling(std::vector<Caster> casters, const SampleOptions& options);
 
+/// Waits for about `ms` milliseconds; true: the samples are taken over, and the job is gone. Its Error otherwise.
+Result<bool> takeSamples(std::unique_ptr<SampleJob>& job, std::vector<ShadowSamples>& samples, double ms);
+
 struct ShadowMeasure {
   int light = 0;
   shadow::ShadowSpec spec;

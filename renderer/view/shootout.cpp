@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "renderer/base/profile.h"
 #include "renderer/image/metrics.h"
@@ -204,13 +203,8 @@ Result<double> Shootout::step(const shadow::Gpu& gpu, double ms) {
   if (s.casters.empty()) return fail(Code::Input, "the scene has no lights");
   if (s.samples.empty()) {
     if (!s.sampling) s.sampling = startSampling(s.casters, s.options.points);
-    while (!s.sampling->done()) {
-      if (clock.ms() >= ms) return 0.0;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    if (!s.sampling->result()) return s.sampling->result().error();
-    s.samples = *s.sampling->result();
-    s.sampling.reset();
+    PILEUS_TRY(const bool there, takeSamples(s.sampling, s.samples, ms));
+    if (!there) return 0.0;
   }
   do {
     PILEUS_CHECK(s.stepOnce(gpu, std::max(ms - clock.ms(), 1.0)));

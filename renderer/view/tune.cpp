@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include "renderer/base/profile.h"
@@ -312,13 +311,8 @@ Result<double> Tuner::step(const shadow::Gpu& gpu, double ms) {
   if (s.casters.empty()) return fail(Code::Input, "there is no light to tune");
   if (s.samples.empty()) {
     if (!s.sampling) s.sampling = startSampling(s.casters, s.options.points);
-    while (!s.sampling->done()) {
-      if (clock.ms() >= ms) return 0.0;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    if (!s.sampling->result()) return s.sampling->result().error();
-    s.samples = *s.sampling->result();
-    s.sampling.reset();
+    PILEUS_TRY(const bool there, takeSamples(s.sampling, s.samples, ms));
+    if (!there) return 0.0;
     PILEUS_CHECK(s.plan(gpu));
   }
   do {

@@ -1,124 +1,15 @@
-// Every shadow representation through its own GPU pass and the one lookup: closed forms, the compression bound of deep maps, gathering
-// against splatting, silhouettes.
-#include <cmath>
-#include <random>
-
+// Every shadow representation through its own GPU pass and the one lookup: closed forms, gathering against splatting, silhouettes.
 #include "renderer/shadow/basis.h"
 #include "renderer/shadow/metric.h"
-#include "renderer/shadow/reference.h"
-#include "renderer/shadow/shadow_pass.h"
-#include "renderer/volume/brick_builder.h"
-#include "renderer/volume/vdb_import.h"
-#include "tests/support/gpu.h"
+#include "tests/support/shadow_specs.h"
 
 namespace pileus {
 namespace {
 
+using namespace test;
 using shadow::Basis;
 using shadow::Metric;
 using shadow::ShadowSpec;
-using test::box;
-using Kind = ShadowSpec::Kind;
-
-const dvec3 kUp(0, 1, 0);
-double T(double tau) { return std::exp(-tau); }
-
-std::shared_ptr<const shadow::ShadowMap> build(const ShadowSpec& spec, const volume::InstanceList& volumes, const scene::Light& light) {
-  test::renderer();
-  auto map = shadow::buildShadow(test::renderer().gpu(), spec, light, volumes);
-  EXPECT_TRUE(map) << (map ? "" : map.error().message);
-  return map ? *map : nullptr;
-}
-
-ShadowSpec fourier(int coefficients, int resolution = 128, bool range = false) {
-  ShadowSpec s;
-  s.kind = Kind::FourierOpacity;
-  s.coefficients = coefficients;
-  s.range = range;
-  s.resolution = resolution;
-  s.storage = shadow::Storage::Float;
-  return s;
-}
-ShadowSpec transmittance(int coefficients, Basis basis, int resolution = 128) {
-  ShadowSpec s = fourier(coefficients, resolution);
-  s.kind = Kind::TransmittanceFunction;
-  s.basis = basis;
-  return s;
-}
-ShadowSpec deep(double bound, int resolution = 128) {
-  ShadowSpec s;
-  s.kind = Kind::Deep;
-  s.errorBound = bound;
-  s.nodeBudget = 4096;
-  s.resolution = resolution;
-  return s;
-}
-ShadowSpec improved(int intervals, int coefficients, int resolution, bool extras = true, shadow::Storage storage = shadow::Storage::Float) {
-  ShadowSpec s;
-  s.metric = {Metric::Interval, intervals, 4, resolution, storage};
-  if (extras) s.metric.weighting = shadow::Weighting::Root, s.metric.horizon = 5.5;
-  s.extinction = {Basis::Cosine, coefficients, resolution, storage};
-  return s;
-}
-
-/// A grid of `sigma(depth)` along -y, the same across, depth 0 at y = 0.5, one metre deep.
-volume::Instance profile(int voxels, const std::function<double(double)>& sigma) {
-  volume::VoxelSource source;
-  source.name = "profile";
-  source.worldFromIndex = glm::scale(glm::translate(dmat4(1), dvec3(0, 0.5 - 0.5 / voxels, 0)), dvec3(1.0, -1.0 / voxels, 1.0));
-  source.activeMin = ivec3(-8, 0, -8);
-  source.activeMax = ivec3(8, voxels - 1, 8);
-  source.fill = [&](ivec3 lo, float* out) {
-    for (int z = 0; z < volume::kStoredSize; ++z)
-      for (int y = 0; y < volume::kStoredSize; ++y)
-        for (int x = 0; x < volume::kStoredSize; ++x) {
-          const int j = lo.y + y;
-          *out++ = j >= 0 && j < voxels ? float(sigma((j + 0.5) / voxels)) : 0.0f;
-        }
-    return volume::Fill::Voxels;
-  };
-  JobControl control;
-  auto built = volume::buildBricks(source, control);
-  EXPECT_TRUE(built);
-  volume::Instance i;
-  i.shape = volume::Shape::Grid;
-  i.grid = built->grid;
-  i.worldFromLocal = i.grid->worldFromIndex;
-  return i;
-}
-
-/// One light ray in the middle of a narrow frustum that spans exactly depth 0..1: u = x for the Euclidean metric.
-shadow::LightFrustum narrow() {
-  shadow::LightFrustum f;
-  f.worldFromLight = dmat4(dvec4(0.2, 0, 0, 0), dvec4(0, 0, 0.2, 0), dvec4(0, -1, 0, 0), dvec4(-0.1, 0.5, -0.1, 1));
-  return f;
-}
-
-std::shared_ptr<const shadow::ShadowMap> buildIn(const ShadowSpec& spec, const volume::InstanceList& volumes, const shadow::LightFrustum& f) {
-  test::renderer();
-  shadow::ShadowPass pass(spec, test::sunFrom(kUp), volumes, {}, &f);
-  for (double done = 0; done < 1;) {
-    const auto r = pass.step(test::renderer().gpu(), 1e12);
-    EXPECT_TRUE(r) << (r ? "" : r.error().message);
-    if (!r) return nullptr;
-    done = *r;
-  }
-  return pass.map();
-}
-
-std::vector<vec3> downTheRay(int count) {
-  std::vector<vec3> at;
-  for (int i = 0; i < count; ++i) at.push_back(vec3(0.0f, 0.5f - (float(i) + 0.5f) / float(count), 0.0f));
-  return at;
-}
-
-double worstAgainstReference(const shadow::ShadowMap& map, const volume::InstanceList& volumes, const std::vector<vec3>& at) {
-  const auto tau = test::lookupTau(map, map.light, at);
-  double worst = 0;
-  for (std::size_t i = 0; i < at.size(); ++i)
-    worst = std::max(worst, std::abs(T(double(tau[i])) - T(shadow::opticalDepthToLight(volumes, map.light, dvec3(at[i])))));
-  return worst;
-}
 
 TEST(Representations, EndOfTheRayIsExactForEachOfThem) {
   const auto light = test::sunFrom({0.3, 1, 0.2});
@@ -221,96 +112,6 @@ TEST(Representations, TransmittanceFunctionIsTheSeriesOfT) {
     for (std::size_t i = 0; i < at.size(); ++i)
       EXPECT_NEAR(T(double(tau[i])), std::clamp(shadow::basisValue(basis, expected, (double(i) + 0.5) / 50), 0.0, 1.0), 1e-3) << enumId(basis) << " " << i;
   }
-}
-
-volume::Instance smoke1() {
-  JobControl control;
-  volume::ImportLimits limits;
-  limits.executable = PILEUS_BINARY;
-  auto imported = volume::importVdb(*test::dataFolder() / "vdb" / "smoke1.vdb", "", control, limits);
-  EXPECT_TRUE(imported) << (imported ? "" : imported.error().message);
-  volume::Instance smoke;
-  smoke.shape = volume::Shape::Grid;
-  smoke.grid = imported->grid;
-  smoke.worldFromLocal = imported->grid->worldFromIndex;
-  smoke.medium.extinction = 0.5;
-  return smoke;
-}
-
-std::vector<vec3> pointsInside(const volume::InstanceList& volumes, int count, unsigned seed) {
-  std::mt19937 rng(seed);
-  std::uniform_real_distribution<double> u(0, 1);
-  const Box3 bounds = volume::worldBounds(volumes);
-  std::vector<vec3> at;
-  for (int tries = 0; int(at.size()) < count && tries < 1000 * count; ++tries) {
-    const dvec3 p = bounds.min + bounds.size() * dvec3(u(rng), u(rng), u(rng));
-    double sigma = 0;
-    for (const auto& v : volumes) sigma += volume::sigmaAt(v, p);
-    if (sigma > 0) at.push_back(vec3(p));
-  }
-  return at;
-}
-
-TEST(Representations, DeepMapsKeepTheirBoundAndCompressSmoke) {
-  PILEUS_NEEDS_DATA();
-  const volume::InstanceList volumes{smoke1()};
-  scene::Light light;
-  light.towards = scene::sunDirection(30, 40);
-  const auto at = pointsInside(volumes, 20000, 11);
-  const auto raw = build(deep(0, 256), volumes, light);
-  const auto rawTau = test::lookupTau(*raw, light, at);
-  for (const double bound : {0.003, 0.01, 0.03}) {
-    shadow::ShadowPass pass(deep(bound, 256), light, volumes);
-    while (*pass.step(test::renderer().gpu(), 1e12) < 1) {
-    }
-    const auto tau = test::lookupTau(*pass.map(), light, at);
-    double worst = 0;
-    for (std::size_t i = 0; i < at.size(); ++i) worst = std::max(worst, std::abs(T(double(tau[i])) - T(double(rawTau[i]))));
-    const auto s = *pass.deepStatistics();
-    std::printf("deep map of smoke1, 256 x 256, bound %.3f: largest error of compression %.4f; %zu of %zu vertices, %.1fx smaller (%.1fx with headers)\n", bound, worst, s.vertices,
-                s.rawVertices, s.compression(), double(s.rawVertices + s.texels) / double(s.vertices + s.texels));
-    EXPECT_LE(worst, bound + 1e-5);
-    EXPECT_EQ(s.overBudget, 0u);
-    if (bound == 0.01) {
-      EXPECT_GE(s.compression(), 10);
-    }
-  }
-  // A budget that is too small is kept, and said.
-  ShadowSpec tight = deep(0.001, 128);
-  tight.nodeBudget = 6;
-  shadow::ShadowPass pass(tight, light, volumes);
-  while (*pass.step(test::renderer().gpu(), 1e12) < 1) {
-  }
-  const auto s = *pass.deepStatistics();
-  EXPECT_GT(s.overBudget, 0u);
-  EXPECT_LE(s.vertices, s.texels * 6);
-  EXPECT_GT(s.worstBound, 0.001);
-  // The budget of a lossless map too: what is written is what was counted, and T stays within the bound that was given out.
-  tight.errorBound = 0;
-  shadow::ShadowPass lossless(tight, light, volumes);
-  while (*lossless.step(test::renderer().gpu(), 1e12) < 1) {
-  }
-  const auto l = *lossless.deepStatistics();
-  EXPECT_LE(l.vertices, l.texels * 6);
-  const auto truth = build(deep(0, 128), volumes, light);
-  const auto tau = test::lookupTau(*lossless.map(), light, at), want = test::lookupTau(*truth, light, at);
-  double worst = 0;
-  for (std::size_t i = 0; i < at.size(); ++i) worst = std::max(worst, std::abs(T(double(tau[i])) - T(double(want[i]))));
-  std::printf("deep map of at most 6 vertices: bounds up to %.4f, largest error %.4f\n", l.worstBound, worst);
-  EXPECT_LE(worst, l.worstBound + 1e-5);
-}
-
-TEST(Representations, PrefilteredDeepMapsAverageTransmittance) {
-  // Half of each texel of column 64 lies behind an opaque slab: with 4 x 4 rays its transmittance is the part that is not.
-  const volume::InstanceList volumes{box({-0.0503125, 0, 0}, {0.1, 0.2, 1}, 500)};
-  ShadowSpec spec = deep(1e-3);
-  spec.filter = 4;
-  const auto map = buildIn(spec, volumes, narrow());
-  // The slab ends at x = -0.0003125: texel 63 spans -0.0015625..0, four fifths of it and three of four rays' columns are covered.
-  const auto tau = test::lookupTau(*map, map->light, {vec3(-0.00078125f, -0.4f, 0.00078125f), vec3(-0.00234375f, -0.4f, 0.00078125f), vec3(0.00078125f, -0.4f, 0.00078125f)});
-  EXPECT_NEAR(T(double(tau[0])), 0.25, 2e-3);
-  EXPECT_NEAR(T(double(tau[1])), 0, 2e-3);
-  EXPECT_NEAR(T(double(tau[2])), 1, 2e-3);
 }
 
 TEST(Representations, SplattingIsGathering) {

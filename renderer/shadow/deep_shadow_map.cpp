@@ -27,8 +27,10 @@ DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light
 }
 
 Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
-  gl::Defines defines = orderedMarchDefines(pass_, 1);
-  defines.insert(defines.end(), {{"FILL", fill}, {"FILTER", std::clamp(map_->spec.filter, 1, 4)}});
+  const int filter = std::clamp(map_->spec.filter, 1, 4);
+  if (!march_) march_.emplace(gpu, pass_, 1, filter * filter + 8);
+  gl::Defines defines = march_->defines();
+  defines.insert(defines.end(), {{"FILL", fill}, {"FILTER", filter}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/deep_map.comp.glsl"}, defines));
   program->use();
   program->set("errorBound", float(map_->spec.errorBound));
@@ -40,7 +42,7 @@ Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
   glBindImageTexture(IMAGE_TARGET + 1, counts_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
   for (int doublings = 0; doublings <= kMostDoublings; ++doublings) {
     program->set("doublings", doublings);
-    pass_.dispatch(gpu, *program);
+    march_->run(gpu, pass_, *program);
     if (fill || !overBudget()) break;
   }
   return {};

@@ -1,7 +1,10 @@
 #pragma once
 // Deep shadow map (Lokovic and Veach 2000): per texel a piecewise-linear transmittance, compressed under an error bound. Two marches:
 // one counts the vertices of each texel, one writes them to their place.
+#include <optional>
+
 #include "renderer/gl/texture.h"
+#include "renderer/shadow/ordered_march.h"
 #include "renderer/shadow/shadow_map.h"
 
 namespace pileus::shadow {
@@ -31,6 +34,7 @@ class DeepShadowPass {
   Result<void> place(const Gpu& gpu);
   std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
+  std::optional<OrderedMarch> march_;
   gl::Texture counts_;
   DeepStatistics statistics_;
 };

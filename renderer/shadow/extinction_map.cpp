@@ -93,14 +93,7 @@ int ExtinctionPass::batch(const Gpu& gpu) const {
   // that find their steps at different places wait for each other, which the room left here is for.
   constexpr double kOneDispatch = 20000;
   if (!gpu.device.software) return 0;
-  double most = 1;
-  for (const volume::Instance& i : pass_.volumes()) {
-    const dvec3 size = volume::localBounds(i).size();
-    double way = 0;
-    for (int axis = 0; axis < 3; ++axis) way += glm::length(dvec3(i.worldFromLocal[axis])) * size[axis];
-    most = std::max(most, i.shape == volume::Shape::Grid ? std::min(way / volume::detailSize(i), 8192.0) : 64.0);
-  }
-  const int volumes = std::max(1, static_cast<int>(kOneDispatch / (2 * most)));
+  const int volumes = std::max(1, static_cast<int>(kOneDispatch / (2 * mostSteps(pass_.volumes()))));
   return volumes < pass_.longestList() ? volumes : 0;
 }
 

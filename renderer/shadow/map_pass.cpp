@@ -58,9 +58,15 @@ std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instan
   return out;
 }
 
-gl::Defines orderedMarchDefines(const MapPass& pass, int halves) {
-  constexpr int kInRegisters = 4;
-  return {{"SHAPES", pass.shapes()}, {"ACTIVE", std::clamp(pass.longestList(), 1, kInRegisters)}, {"OVERFLOW", pass.longestList() > kInRegisters}, {"STEP_HALVES", halves}};
+double mostSteps(const volume::InstanceList& volumes) {
+  double most = 1;
+  for (const volume::Instance& i : volumes) {
+    const dvec3 size = volume::localBounds(i).size();
+    double way = 0;
+    for (int axis = 0; axis < 3; ++axis) way += glm::length(dvec3(i.worldFromLocal[axis])) * size[axis];
+    most = std::max(most, i.shape == volume::Shape::Grid ? std::min(way / volume::detailSize(i), 8192.0) : 64.0);
+  }
+  return most;
 }
 
 MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution, int softwareEdge)

@@ -32,6 +32,7 @@ class MapPass {
   double fraction() const { return double(cursor_.next) / cursor_.count(); }
   ivec2 regionOrigin() const { return cursor_.origin(); }  ///< in the tall map, of the region at the cursor
   ivec2 regionEnd() const { return cursor_.end(); }
+  ivec2 regionSize() const { return ivec2((cursor_.edge + 7) / 8 * 8); }  ///< threads of the largest dispatch
   double takeGpuMs() { return timer_.takeMs(); }
   gl::GpuTimer& timer() { return timer_; }
 
@@ -55,8 +56,8 @@ class MapPass {
   bool ready_ = false;
 };
 
-/// Variant constants of lib/ordered_march.glsl for this pass's volumes (after prepare() said 1); steps of `halves` half voxels.
-gl::Defines orderedMarchDefines(const MapPass& pass, int halves);
+/// Steps of the longest march through any one of them at full detail, at most 8192; 64 for exact shapes.
+double mostSteps(const volume::InstanceList& volumes);
 
 /// Texels of the tall map each instance may touch, face by face: entry f * n + i is instance i on face f.
 std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances, const LightFrustum& frustum, int resolution, int faceStride);

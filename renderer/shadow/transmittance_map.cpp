@@ -27,12 +27,13 @@ Result<double> TransmittancePass::step(const Gpu& gpu, double ms) {
     PILEUS_TRY(map_->block, gpu.store.allocate(map_->storage == Storage::Float ? Texels::Float : Texels::Half, pass_.resolution(), (map_->coefficients + 3) / 4, map_->frustum.faces()));
   }
   pass_.bindLight(*map_);
-  gl::Defines defines = orderedMarchDefines(pass_, 2);
+  if (!march_) march_.emplace(gpu, pass_, 2, map_->coefficients + 2);
+  gl::Defines defines = march_->defines();
   defines.insert(defines.end(), {{"BASIS", map_->basis == Basis::Cosine ? BASIS_COSINE : BASIS_FOURIER}, {"BASIS_FLOATS", map_->coefficients}, {"STORE", int(map_->block->texels())}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/transmittance_map.comp.glsl"}, defines));
   glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->block->format());
   do {
-    pass_.dispatch(gpu, *program);
+    march_->run(gpu, pass_, *program);
     pass_.next();
   } while (!pass_.done() && clock.ms() < ms);
   return 0.3 + 0.7 * pass_.fraction();

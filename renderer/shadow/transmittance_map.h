@@ -1,6 +1,9 @@
 #pragma once
 // Transmittance function map (Delalandre et al. 2011): T along each light ray, marched in order and projected on a basis over plain
 // distance. Needs no exponential to read, but rings at both ends of a periodic basis and cannot be added up from volumes.
+#include <optional>
+
+#include "renderer/shadow/ordered_march.h"
 #include "renderer/shadow/shadow_map.h"
 
 namespace pileus::shadow {
@@ -17,6 +20,7 @@ class TransmittancePass {
  private:
   std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
+  std::optional<OrderedMarch> march_;
 };
 
 }  // namespace pileus::shadow

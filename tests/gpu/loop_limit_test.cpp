@@ -4,6 +4,7 @@
 #include "renderer/shaders/shared/resume.h"
 #include "renderer/shadow/metric.h"
 #include "renderer/shadow/reference.h"
+#include "renderer/shadow/shadow_pass.h"
 #include "renderer/view/compare.h"
 #include "renderer/view/shadow_error.h"
 #include "renderer/volume/brick_builder.h"
@@ -206,6 +207,41 @@ TEST(LoopLimit, ExtinctionMapOverManyFineGrids) {
       const auto c = test::texel(*map->block, ivec2(16));
       std::printf("%d grids: c_0 %.6f of %.6f\n", count, double(c[0]), want);
       EXPECT_NEAR(c[0], want, 1e-3 * want) << count << " grids, metric " << enumId(metric);
+    }
+  }
+}
+
+TEST(LoopLimit, OrderedMapsOverManyFineGrids) {
+  for (const int count : {8, 40, 80}) {
+    volume::InstanceList volumes;
+    volume::Instance one = block(1024, 2, 0.02);
+    for (int i = 0; i < count; ++i) {
+      one.worldFromLocal = glm::translate(one.grid->worldFromIndex, dvec3(0, 3 * i, 0));
+      volumes.push_back(one);
+    }
+    shadow::LightFrustum f;
+    f.worldFromLight = dmat4(dvec4(0.02, 0, 0, 0), dvec4(0, 0, 0.02, 0), dvec4(0, -4, 0, 0), dvec4(-0.01, 2, -0.01, 1));
+    const auto light = test::sunFrom({0, 1, 0});
+    const std::vector<vec3> at{{0.001f, 0.5f, 0.001f}, {0.001f, -0.5f, 0.001f}, {0.001f, -1.9f, 0.001f}};
+    for (const auto kind : {shadow::ShadowSpec::Kind::Deep, shadow::ShadowSpec::Kind::TransmittanceFunction}) {
+      shadow::ShadowSpec spec;
+      spec.kind = kind;
+      spec.coefficients = 31;
+      spec.basis = shadow::Basis::Cosine;
+      spec.storage = shadow::Storage::Float;
+      spec.errorBound = 0.002;
+      shadow::ShadowPass pass(shadow::withResolution(spec, 32), light, volumes, {}, &f);
+      for (double done = 0; done < 1;) {
+        const auto step = pass.step(test::renderer().gpu(), 1e12);
+        ASSERT_TRUE(step) << step.error().message;
+        done = *step;
+      }
+      const auto tau = test::lookupTau(*pass.map(), light, at);
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        const double want = std::exp(-shadow::opticalDepthToLight(volumes, light, dvec3(at[i]))), got = std::exp(-double(tau[i]));
+        std::printf("%d grids, %s: T %.4f of %.4f\n", count, shadow::describe(spec).c_str(), got, want);
+        EXPECT_NEAR(got, want, 0.01) << count;
+      }
     }
   }
 }

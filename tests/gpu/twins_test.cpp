@@ -98,7 +98,7 @@ TEST(Shaders, EveryEntryCompiles) {
   test::renderer();
   gl::ShaderLibrary library;
   const gl::Defines defines = {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"STORES", 7}, {"LIGHT_KINDS", 31}, {"STORE", 1}, {"INTERVALS", 4}, {"BRICKS", 1},
-                               {"WEIGHTS", 1}, {"HORIZON", 1}, {"PROBES", 64}, {"COEFFICIENTS", 8}, {"DAMPING", 1}, {"PERSPECTIVE", 1}, {"STEP_HALVES", 2}, {"LOOKUP_BASES", 15}, {"RESUME", 1}, {"BATCHED", 1}, {"FILL", 1}, {"FILTER", 2}, {"SOLIDS", 1},
+                               {"WEIGHTS", 1}, {"HORIZON", 1}, {"PROBES", 64}, {"COEFFICIENTS", 8}, {"DAMPING", 1}, {"PERSPECTIVE", 1}, {"STEP_HALVES", 2}, {"LOOKUP_BASES", 15}, {"RESUME", 1}, {"BATCHED", 1}, {"WINDOWED", 1}, {"FILL", 1}, {"FILTER", 2}, {"SOLIDS", 1},
                                {"TERMS", 4}, {"METRIC", METRIC_COSINE}, {"METRIC_COUNT", 4}, {"BASIS", BASIS_COSINE}, {"ACTIVE", 4}, {"OVERFLOW", 1}, {"LIGHTS", 0}, {"SHAPES", 3}};
   for (const std::string& entry : gl::ShaderLibrary::entries()) {
     std::vector<std::string> stages{entry};

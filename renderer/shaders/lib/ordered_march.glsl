@@ -5,6 +5,23 @@
 #include "lib/tiles.glsl"
 #include "lib/map_texel.glsl"
 
+// WINDOWED 1: a dispatch marches one window of the light ray, and what a texel keeps waits in `windowStates` for the next one. Stretches and
+// steps are cut at a window's ends.
+#if WINDOWED
+#include "shared/resume.h"
+layout(std430, binding = BIND_MARCH_STATES) buffer WindowStates { float windowStates[]; };
+uniform ivec2 window;  // which one, of how many
+bool firstWindow() { return window.x == 0; }
+bool lastWindow() { return window.x + 1 == window.y; }
+// Groups are 8 x 8.
+int stateSlot(int floats) { return int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 8u + gl_GlobalInvocationID.x) * floats; }
+vec2 windowOf(float rayLength) { return rayLength * vec2(window.x, lastWindow() ? 1e9 : float(window.x + 1)) / float(window.y); }
+#else
+bool firstWindow() { return true; }
+bool lastWindow() { return true; }
+vec2 windowOf(float rayLength) { return vec2(0.0, 1e30); }
+#endif
+
 struct OrderedMarch {
   MapRay ray;
   ivec2 range;           // of the tile's list
@@ -16,13 +33,15 @@ struct OrderedMarch {
 OrderedMarch beginMarch(MapRay ray, ivec2 range) {
   OrderedMarch m;
   m.ray = ray, m.range = range;
-  m.t = 0.0, m.next = 0.0, m.ds = 0.0;
+  m.t = 0.0, m.next = windowOf(ray.length).x, m.ds = 0.0;
   m.i = 0, m.n = 0, m.count = 0, m.rest = range.y;
   return m;
 }
 
 // Who is active just behind `next`, and until when does that stay so? False behind the last volume.
 bool nextStretch(inout OrderedMarch m) {
+  float end = windowOf(m.ray.length).y;
+  if (m.next >= end) return false;
   m.t = m.next;
   m.next = 1e30;
   m.count = 0, m.rest = m.range.y;
@@ -43,6 +62,7 @@ bool nextStretch(inout OrderedMarch m) {
     m.count += inside ? 1 : 0;
   }
   bool more = m.next < 1e30;
+  m.next = min(m.next, end);
   m.n = more && m.count > 0 ? int(clamp(ceil((m.next - m.t) / (ds * 0.5 * float(STEP_HALVES))), 1.0, 8192.0)) : 0;
   m.ds = (m.next - m.t) / float(max(m.n, 1));
   m.i = 0;
@@ -76,6 +96,6 @@ bool nextStep(inout OrderedMarch m, out float a, out float b, out float sigma) {
       m.i = max(to, m.i + 1);
     }
     ++guard;
-  } while (more && sigma <= 0.0 && guard < 65536);
+  } while (more && sigma <= 0.0 && guard < 32768);
   return more && sigma > 0.0;
 }

@@ -54,10 +54,20 @@ void compress(MapTexel mt) {
     march[r] = beginMarch(mapRay(0, mt.face, uv, float(mapEdge)), range);
     length_ = march[r].ray.length;
     T[r] = 1.0;
+#if WINDOWED
+    if (!firstWindow()) T[r] = windowStates[stateSlot(kRays + 8) + 8 + r];
+#endif
     if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
   }
   kept = 0, raw = 0;
   bool begun = false;
+#if WINDOWED
+  int slot = stateSlot(kRays + 8);
+  if (!firstWindow()) {
+    lastX = windowStates[slot], lastT = windowStates[slot + 1], slopeLow = windowStates[slot + 2], slopeHigh = windowStates[slot + 3], seenX = windowStates[slot + 4];
+    kept = int(windowStates[slot + 5]), raw = int(windowStates[slot + 6]), begun = windowStates[slot + 7] > 0.0;
+  }
+#endif
   int guard = 0;
   for (; guard < 262144; ++guard) {
     int r = 0;
@@ -78,7 +88,12 @@ void compress(MapTexel mt) {
     addPoint(x1, mean + (T[r] - before) / float(kRays));
     if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
   }
-  if (begun && seenX > lastX) emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
+#if WINDOWED
+  windowStates[slot] = lastX, windowStates[slot + 1] = lastT, windowStates[slot + 2] = slopeLow, windowStates[slot + 3] = slopeHigh, windowStates[slot + 4] = seenX;
+  windowStates[slot + 5] = float(kept), windowStates[slot + 6] = float(raw), windowStates[slot + 7] = begun ? 1.0 : 0.0;
+  for (int r = 0; r < kRays; ++r) windowStates[slot + 8 + r] = T[r];
+#endif
+  if (begun && seenX > lastX && lastWindow()) emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
 }
 
 void main() {
@@ -98,6 +113,6 @@ void main() {
   }
   bound = boundAfter(doublings);
   compress(mt);
-  imageStore(counts, mt.tall, uvec4(uint(kept), uint(raw), uint(doublings), 0u));
+  if (lastWindow()) imageStore(counts, mt.tall, uvec4(uint(kept), uint(raw), uint(doublings), 0u));
 #endif
 }

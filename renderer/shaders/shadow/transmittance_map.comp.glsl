@@ -16,10 +16,18 @@ void main() {
   float c[BASIS_FLOATS];
   for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
   float T = 1.0, done = 0.0, a, b, sigma;
+#if WINDOWED
+  int slot = stateSlot(BASIS_FLOATS + 2);
+  if (!firstWindow()) {
+    T = windowStates[slot], done = windowStates[slot + 1];
+    for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = windowStates[slot + 2 + i];
+  }
+#endif
   // What is constant between two steps is projected as one piece, whatever its length.
   bool more;
   do {
     more = nextStep(march, a, b, sigma);
+    if (!more && !lastWindow()) break;
     float from = more ? a / ray.length : 1.0, to = more ? min(b / ray.length, 1.0) : 1.0;
     // In pieces short against a basis period: sinc is a series.
     int pieces = int(ceil((from - done) * 2.0 * float(BASIS_FLOATS) - 1e-4));
@@ -33,6 +41,11 @@ void main() {
     T *= exp(-depth);
     done = to;
   } while (more);
+#if WINDOWED
+  windowStates[slot] = T, windowStates[slot + 1] = done;
+  for (int i = 0; i < BASIS_FLOATS; ++i) windowStates[slot + 2 + i] = c[i];
+  if (!lastWindow()) return;
+#endif
   BlockRecord block = lights[0].coefficients;
   for (int layer = 0; layer < (BASIS_FLOATS + 3) / 4; ++layer) {
     vec4 v = vec4(0.0);

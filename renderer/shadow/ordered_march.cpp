@@ -1,0 +1,48 @@
+#include "renderer/shadow/ordered_march.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/shaders/shared/resume.h"
+
+namespace pileus::shadow {
+namespace {
+
+constexpr int kInRegisters = 4;          ///< volumes of an overlap; the rest is visited one by one at each step
+constexpr double kOneDispatch = 20000;   ///< loop iterations, with room for lanes that wait for each other
+
+/// Loop iterations of a whole light ray at most.
+double iterations(const MapPass& pass, int halves) {
+  double finest = std::numeric_limits<double>::infinity();
+  for (const volume::Instance& i : pass.volumes()) finest = std::min(finest, volume::detailSize(i));
+  const double list = pass.longestList();
+  const double steps = std::min(list * mostSteps(pass.volumes()), pass.frustum().depth() / finest) * 2 / halves;
+  return steps * (1 + std::max(list - kInRegisters, 0.0)) + (2 * list + 1) * list;
+}
+
+}  // namespace
+
+OrderedMarch::OrderedMarch(const Gpu& gpu, const MapPass& pass, int halves, int floats) {
+  if (gpu.device.software && !pass.volumes().empty()) windows_ = std::clamp(int(std::ceil(iterations(pass, halves) / kOneDispatch)), 1, 4096);
+  defines_ = {{"SHAPES", pass.shapes()},
+              {"ACTIVE", std::clamp(pass.longestList(), 1, kInRegisters)},
+              {"OVERFLOW", pass.longestList() > kInRegisters},
+              {"STEP_HALVES", halves},
+              {"WINDOWED", windows_ > 1}};
+  const ivec2 region = pass.regionSize();
+  if (windows_ > 1) states_.reserve(std::size_t(region.x) * std::size_t(region.y) * std::size_t(floats) * sizeof(float));
+}
+
+gl::Defines OrderedMarch::defines() const { return defines_; }
+
+void OrderedMarch::run(const Gpu& gpu, MapPass& pass, gl::Program& program) {
+  if (windows_ == 1) return pass.dispatch(gpu, program);
+  states_.bindStorage(BIND_MARCH_STATES);
+  for (int w = 0; w < windows_; ++w) {
+    program.set("window", ivec2(w, windows_));
+    pass.dispatch(gpu, program);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+}
+
+}  // namespace pileus::shadow

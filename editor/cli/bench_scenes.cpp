@@ -127,7 +127,7 @@ ShadowSpec piecewise32(int resolution) {
 ShadowSpec improved40(int resolution) {
   ShadowSpec s = improved32(resolution);
   s.metric.weighting = shadow::Weighting::Root;
-  s.metric.horizon = 5.5;
+  s.metric.horizon = shadow::kUsualHorizon;
   return s;
 }
 

@@ -18,7 +18,7 @@ struct In {
   int resolution = 1024;
   shadow::Storage storage = shadow::Storage::Float;
   shadow::Weighting weighting = shadow::Weighting::Root;
-  double horizon = 5.5;
+  double horizon = shadow::kUsualHorizon;
   bool compact = false;
 };
 

@@ -42,6 +42,8 @@ Result<void> ExtinctionPass::allocate(const Gpu& gpu) {
   const int faces = map_->frustum.faces();
   const bool horizon = map_->metric && map_->metric->options.metric == Metric::Interval && map_->metric->options.horizon > 0;
   if (splats() && horizon) return fail(Code::Input, "accumulation: splatting knows no horizon; gather, or set the metric's horizon to 0");
+  if (map_->basis == Basis::Piecewise && options_.coefficients < map_->metric->options.intervals)
+    return fail(Code::Input, "coefficients: {} are too few for the metric's {} intervals, each of which needs one", options_.coefficients, map_->metric->options.intervals);
   PILEUS_TRY(map_->block, gpu.store.allocate(options_.storage == Storage::Float ? Texels::Float : Texels::Half, options_.resolution, (options_.coefficients + 3) / 4, faces));
   if (horizon) {
     PILEUS_TRY(map_->horizon, gpu.store.allocate(Texels::Pair, options_.resolution, 1, faces));

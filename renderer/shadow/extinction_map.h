@@ -7,7 +7,8 @@ namespace pileus::shadow {
 
 class ExtinctionPass {
  public:
-  /// With a metric: its frustum, light and volumes. Error of the first step (Input): splatting with a horizon, which needs a gather.
+  /// With a metric: its frustum, light and volumes. Errors of the first step (Input): splatting with a horizon, which needs a gather;
+  /// cosines per interval with fewer coefficients than the metric has intervals.
   ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric);
   /// Euclidean.
   ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum);

@@ -42,7 +42,7 @@ constexpr auto enumInfo(Basis*) {
                     EnumItem<B>{B::Fourier, "fourier", "Fourier", "Periodic series a0, a1, b1, ...: a labelled baseline; wraps at the ends."},
                     EnumItem<B>{B::Slab, "slab", "Linear slabs", "Equal slabs of optical depth: no trigonometry, transmittance never rises."},
                     EnumItem<B>{B::Piecewise, "piecewise", "Cosines per interval",
-                                "Each interval of the metric has its own optical depth and its own cosines: exact behind every medium, and thin media keep their detail before dense ones without weights. Needs an interval metric; with another one it is the cosine basis."}};
+                                "Each interval of the metric has its own optical depth and its own cosines: exact behind every medium, and thin media keep their detail before dense ones without weights. Needs an interval metric, and a coefficient for each of its intervals; with another metric it is the cosine basis."}};
 }
 
 /// How much of u an interval gets for its length.
@@ -61,6 +61,9 @@ constexpr auto enumInfo(Accumulation*) {
   return std::array{EnumItem<A>{A::Gather, "gather", "Gather", "One thread a texel sums all volumes in registers: the same bits whatever their order."},
                     EnumItem<A>{A::Splat, "splat", "Splat", "Each volume is drawn on its own with additive blending, as in the paper; half maps are rounded after each volume."}};
 }
+
+/// The horizon that errs least at optical depth 50, of 3.5 to 7 (docs/physics.md).
+inline constexpr double kUsualHorizon = 5.5;
 
 struct MetricOptions {
   Metric metric = Metric::Interval;

@@ -50,7 +50,7 @@ std::vector<Contender> shootoutContenders() {
   compact.metric.compact = pieces.metric.compact = true;
   ShadowSpec dense = compact;
   dense.metric.weighting = shadow::Weighting::Root;
-  dense.metric.horizon = 5.5;
+  dense.metric.horizon = shadow::kUsualHorizon;
   return {{"Fourier opacity 3", series(K::FourierOpacity, 3)},
           {"Fourier opacity 7", series(K::FourierOpacity, 7)},
           {"Fourier opacity 11", series(K::FourierOpacity, 11)},

@@ -18,7 +18,6 @@ constexpr int kDispatches = 3;
 constexpr int kTries = 16;        ///< for a first one that meets the bound
 constexpr int kCheaperTries = 8;  ///< for a better one
 constexpr int kCurvePoints = 8;
-constexpr double kHorizon = 5.5;  ///< optical depth (docs/physics.md)
 constexpr int kLastTries = 4;     ///< before it is said that none will do
 constexpr double kSlowMs = 2000;  ///< a map of the curve may take this long to build
 constexpr double kSafe = 0.9, kHopeful = 1.2, kLastHope = 2.0;  ///< expected p95 over the bound
@@ -38,7 +37,7 @@ std::vector<shadow::MetricOptions> metricConfigurations(const shadow::MetricOpti
   shadow::MetricOptions m = like;
   m.metric = shadow::Metric::Interval;
   for (const bool compact : {false, true})
-    for (const double depth : {0.0, kHorizon})
+    for (const double depth : {0.0, shadow::kUsualHorizon})
       for (const shadow::Weighting weighting : {shadow::Weighting::None, shadow::Weighting::Root})
         for (const int intervals : {1, 2, 4, 8}) {
           if ((depth > 0 && !horizon) || (weighting == shadow::Weighting::Root && intervals == 1)) continue;
@@ -150,7 +149,7 @@ struct Tuner::Impl {
   Result<void> plan(const shadow::Gpu& gpu) {
     bool dense = false;
     for (const ShadowSamples& s : samples)
-      dense |= double(std::count_if(s.transmittance.begin(), s.transmittance.end(), [](double t) { return t < std::exp(-kHorizon); })) >
+      dense |= double(std::count_if(s.transmittance.begin(), s.transmittance.end(), [](double t) { return t < std::exp(-shadow::kUsualHorizon); })) >
                kDensePart * double(s.transmittance.size());
     configurations = tuneConfigurations(like, dense);
     if (configurations.empty()) return fail(Code::Input, "a ray-marched shadow has no parameters to tune");

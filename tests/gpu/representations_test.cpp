@@ -25,6 +25,23 @@ TEST(Representations, EndOfTheRayIsExactForEachOfThem) {
   }
 }
 
+TEST(Representations, CosinesPerIntervalAreExactBehindEveryMedium) {
+  const auto light = test::sunFrom(kUp);
+  const volume::InstanceList volumes{box({0, 3, 0}, {1, 0.4, 1}, 1), box({0, 1, 0}, {1, 0.1, 1}, 20), box({0, -1, 0}, {1, 1, 1}, 0.5)};
+  for (const int coefficients : {4, 7, 16}) {
+    ShadowSpec spec = improved(4, coefficients, 128, false);
+    spec.extinction.basis = Basis::Piecewise;
+    const auto map = build(spec, volumes, light);
+    // Uniform media: linear inside, level in the gaps.
+    EXPECT_LT(worstAgainstReference(*map, volumes, {{0.1f, 2.0f, 0.1f}, {0.1f, 1.0f, 0.1f}, {0.1f, 0.5f, 0.1f}, {0.1f, -1.1f, 0.1f}, {0.1f, -1.5f, 0.1f}}), 1e-4) << coefficients;
+  }
+  ShadowSpec few = improved(4, 3, 128, false);
+  few.extinction.basis = Basis::Piecewise;
+  const auto refused = shadow::buildShadow(test::renderer().gpu(), few, light, volumes);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("coefficients: 3 are too few"), std::string::npos) << refused.error().message;
+}
+
 TEST(Representations, FourierOpacityOfASlabHasItsSeries) {
   const double S = 3, d1 = 0.2, d2 = 0.55;
   const volume::InstanceList volumes{box({0, 0.5 - (d1 + d2) / 2, 0}, {1, d2 - d1, 1}, S)};

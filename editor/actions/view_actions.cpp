@@ -1,0 +1,65 @@
+// Commands of the window and its panels.
+#include "editor/actions/table.h"
+
+namespace pileus::editor {
+namespace {
+
+using P = Panel;
+
+const Action kActions[] = {
+    {"view.pause",
+     "Pause Refinement",
+     "View",
+     P::Global,
+     {plain(GLFW_KEY_ESCAPE)},
+     [](Editor& e) { e.preview.pause(!e.preview.paused()); },
+     nullptr,
+     [](const Editor& e) { return e.preview.paused(); },
+     true},
+    {"view.times",
+     "Show Node Times",
+     "View",
+     P::Global,
+     {},
+     [](Editor& e) { e.settings.showTimes = !e.settings.showTimes; },
+     nullptr,
+     [](const Editor& e) { return e.settings.showTimes; }},
+    {"view.scope",
+     "Show Ray Scope",
+     "View",
+     P::Global,
+     {shift(GLFW_KEY_S)},
+     toggleScope,
+     nullptr,
+     [](const Editor& e) { return e.settings.showScope; }},
+    {"view.shootout",
+     "Shoot-out",
+     "View",
+     P::Global,
+     {plain(GLFW_KEY_F6)},
+     toggleShootout,
+     nullptr,
+     [](const Editor& e) { return e.settings.showLab && e.lab.tab == LabTab::Shootout; }},
+    {"view.tune",
+     "Tune Shadows",
+     "View",
+     P::Global,
+     {plain(GLFW_KEY_F7)},
+     toggleTune,
+     nullptr,
+     [](const Editor& e) { return e.settings.showLab && e.lab.tab == LabTab::Tune; }},
+    {"view.log",
+     "Show Log",
+     "View",
+     P::Global,
+     {ctrl(GLFW_KEY_L)},
+     [](Editor& e) { e.settings.showLog = !e.settings.showLog; },
+     nullptr,
+     [](const Editor& e) { return e.settings.showLog; }},
+};
+
+}  // namespace
+
+std::span<const Action> viewActions() { return kActions; }
+
+}  // namespace pileus::editor

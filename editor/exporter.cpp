@@ -1,5 +1,6 @@
 #include "editor/exporter.h"
 
+#include "editor/viewed_node.h"
 #include "nodes/value.h"
 #include "renderer/image/exr.h"
 #include "renderer/view/picture.h"
@@ -47,7 +48,7 @@ std::optional<Result<std::filesystem::path>> Exporter::step() {
   const nodes::NodeStatus& status = evaluator_->status(request_->view);
   if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped)
     return finish(status.error);
-  const nodes::SocketValue* value = evaluator_->input(request_->view, "image");
+  const nodes::SocketValue* value = shownImage(*evaluator_, request_->graph, request_->view);
   const auto* picture = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
   if (!picture || !picture->picture)
     return finish(fail(Code::Input, "{}: no image is linked", request_->view));

@@ -1,5 +1,7 @@
 #include "editor/preview.h"
 
+#include "editor/viewed_node.h"
+
 #include "renderer/view/picture.h"
 
 namespace pileus::editor {
@@ -80,7 +82,7 @@ void Preview::step(const PreviewRequest& wanted) {
 }
 
 void Preview::takePicture(bool draft) {
-  const nodes::SocketValue* value = evaluator_.input(current_.view, "image");
+  const nodes::SocketValue* value = shownImage(evaluator_, current_.graph, current_.view);
   const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
   if (!image || !image->picture || !error_.empty()) return;
   // A picture that has no full pass yet replaces only nothing at all.

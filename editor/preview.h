@@ -17,7 +17,7 @@ namespace pileus::editor {
 struct PreviewRequest {
   nodes::Graph graph;
   std::uint64_t revision = 0;  ///< of the document: equal revisions are equal graphs
-  std::string view;            ///< the output node to evaluate; "" = none
+  std::string view;            ///< an output node or one with an Image output; "" = none
   ivec2 size{0};
   std::optional<scene::Camera> freeCamera;
   std::filesystem::path folder;

@@ -9,6 +9,7 @@
 
 #include "editor/graph_view/interaction.h"
 #include "editor/graph_view/node_search.h"
+#include "editor/viewed_node.h"
 
 namespace pileus::editor {
 
@@ -29,6 +30,7 @@ struct Canvas {
   /// While a link is dragged: why each socket refuses it; sockets that accept are not in it.
   std::map<std::string, std::string> refusals;
   Hit menuHit;  ///< what the context menu is about
+  ViewSlots slots;  ///< nodes the number keys show
 };
 
 /// Key of a socket in Canvas::refusals.

@@ -22,7 +22,7 @@ struct Editor;
 struct Viewport {
   explicit Viewport(view::Renderer& renderer) : display(renderer.shaders()) {}
 
-  std::string activeView;                   ///< output node chosen to be seen; "" or gone = the first one
+  std::string activeView;                   ///< node chosen to be seen; "" or gone = the first one
   std::optional<scene::Camera> freeCamera;  ///< where no camera is linked; absent: pictures frame the volumes
   ivec2 renderSize{0};                      ///< what the panel asks the preview for
 

@@ -39,6 +39,7 @@ void chooseOutput(Editor& editor, const std::string& view) {
   for (const auto& [name, node] : editor.document.graph().nodes)
     if (const nodes::NodeType* type = nodes::findNodeType(node->type); type && type->isOutput)
       views.push_back(name);
+  if (!view.empty() && std::find(views.begin(), views.end(), view) == views.end()) views.push_back(view);
   if (views.size() < 2) return;
   if (combo(editor, "##/output", "The output shown here", editor.theme.px(120), view)) {
     for (const std::string& name : views)
@@ -108,7 +109,7 @@ void chooseResolution(Editor& editor) {
 }  // namespace
 
 view::DisplaySettings displaySettings(const Editor& editor) {
-  const nodes::Node* node = nodes::findNode(editor.document.graph(), shownView(editor));
+  const nodes::Node* node = nodes::findNode(editor.document.graph(), displayNode(editor));
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   view::DisplaySettings settings;
   if (!type) return settings;
@@ -125,7 +126,7 @@ void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max) {
   const Theme& theme = editor.theme;
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, palette::kPanel);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(5)});
-  const std::string view = shownView(editor);
+  const std::string shown = shownView(editor), view = displayNode(editor);
   const nodes::Node* node = nodes::findNode(editor.document.graph(), view);
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   if (!type || !editor.viewport.colors) {
@@ -134,14 +135,14 @@ void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max) {
     return;
   }
   ImGui::BeginGroup();
-  chooseOutput(editor, view);
+  chooseOutput(editor, shown);
   if (type->param("display") && type->param("view")) chooseDisplay(editor, view, displaySettings(editor));
   chooseResolution(editor);
   if (const nodes::ParamSpec* spec = type->param("exposure"))
     dragExposure(editor, view, *spec, displaySettings(editor).exposure);
   ImGui::EndGroup();
   const float used = ImGui::GetItemRectMax().x;
-  const std::string camera = linkedCamera(editor, view);
+  const std::string camera = linkedCamera(editor, shown);
   const std::string text =
       std::string(icon::kCamera) + "  " +
       (camera.empty() ? (editor.viewport.freeCamera ? "Free camera" : "Framed volumes") : camera);

@@ -6,14 +6,17 @@
 #include <set>
 
 #include "editor/editor.h"
+#include "editor/viewed_node.h"
 
 namespace pileus::editor {
 namespace {
 
 constexpr std::string_view kViewType = "output.view";
 
-const nodes::Node* shownNode(const Editor& editor) {
-  return nodes::findNode(editor.document.graph(), shownView(editor));
+std::string firstView(const nodes::Graph& graph) {
+  for (const auto& [name, node] : graph.nodes)
+    if (node->type == kViewType) return name;
+  return {};
 }
 
 const nodes::SocketSpec* socketOfType(const nodes::NodeType& type, nodes::SocketType wanted) {
@@ -44,14 +47,14 @@ double aspect(const Editor& editor) {
 }
 
 void setExposure(Editor& editor, double stops) {
-  const std::string view = shownView(editor);
+  const std::string view = displayNode(editor);
   if (!view.empty())
     tryEdit(editor, nodes::setParam(editor.document.graph(), view, "exposure", stops), "Exposure",
             "exposure keys");
 }
 
 double exposure(const Editor& editor) {
-  const nodes::Node* node = shownNode(editor);
+  const nodes::Node* node = nodes::findNode(editor.document.graph(), displayNode(editor));
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::ParamSpec* spec = type ? type->param("exposure") : nullptr;
   const nodes::ParamValue value = spec ? nodes::paramValue(*node, *spec) : nodes::ParamValue(0.0);
@@ -62,12 +65,24 @@ double exposure(const Editor& editor) {
 
 std::string shownView(const Editor& editor) {
   const nodes::Graph& graph = editor.document.graph();
-  const nodes::Node* chosen = nodes::findNode(graph, editor.viewport.activeView);
-  if (chosen && nodes::findNodeType(chosen->type) && nodes::findNodeType(chosen->type)->isOutput)
-    return editor.viewport.activeView;
-  for (const auto& [name, node] : graph.nodes)
-    if (node->type == kViewType) return name;
-  return {};
+  return viewable(graph, editor.viewport.activeView) ? editor.viewport.activeView : firstView(graph);
+}
+
+std::string displayNode(const Editor& editor) {
+  const nodes::Graph& graph = editor.document.graph();
+  const std::string shown = shownView(editor);
+  std::deque<std::string> open{shown};
+  std::set<std::string> seen{shown};
+  for (; !open.empty(); open.pop_front()) {
+    const nodes::Node* node = nodes::findNode(graph, open.front());
+    if (node && node->type == kViewType) return open.front();
+    for (const nodes::Link& link : graph.links)
+      if (!link.muted && link.fromNode == open.front() && seen.insert(link.toNode).second)
+        open.push_back(link.toNode);
+  }
+  const nodes::NodeType* type =
+      nodes::findNode(graph, shown) ? nodes::findNodeType(nodes::findNode(graph, shown)->type) : nullptr;
+  return type && type->isOutput ? shown : firstView(graph);
 }
 
 std::string cameraUser(const Editor& editor, const std::string& view) {

@@ -9,8 +9,12 @@ namespace pileus::editor {
 
 struct Editor;
 
-/// The output node on show: the chosen one if it still exists, else the first view output; "" = none.
+/// The node on show: the chosen one if it still exists and has a picture, else the first view output; "" =
+/// none.
 std::string shownView(const Editor& editor);
+/// The view output whose display and exposure count: the shown one, else the nearest downstream of the shown
+/// node, else the first; "" = none.
+std::string displayNode(const Editor& editor);
 /// The node whose picture the view shows (nearest upstream with a camera input); "" = none.
 std::string cameraUser(const Editor& editor, const std::string& view);
 /// The camera node linked to it; "" = none: the free camera.

@@ -1,6 +1,8 @@
 // volume.vdb_file: one grid of an OpenVDB file, read by a job.
 #include "nodes/describe.h"
 #include "renderer/base/jobs.h"
+#include "renderer/volume/autofit.h"
+#include "renderer/volume/grid_guess.h"
 #include "renderer/volume/vdb_import.h"
 
 namespace pileus::nodes {
@@ -26,24 +28,42 @@ void describe(Describe<In, Out>& d) {
   d.out("volume", &Out::volume).help("The grid as one volume with the default medium.");
 }
 
-struct Import {
-  std::unique_ptr<Job<volume::ImportedGrid>> job;
+struct Read {
+  volume::ImportedGrid imported;
+  volume::Autofit fit;
 };
+
+struct Import {
+  std::unique_ptr<Job<Read>> job;
+};
+
+/// What was guessed and why, and what of the file is not used.
+void explain(const In& in, const Read& read, EvalContext& ctx) {
+  if (in.grid.empty())
+    ctx.note(fmt::format("{}: {}", read.imported.grid->name, volume::whyByName(read.imported.grid->name)));
+  if (read.fit.opticalDepth > 0)
+    ctx.note(fmt::format("Extinction {:.3g} 1/m gives an optical depth of {:.0f} through the middle (likely)",
+                         read.fit.extinction, read.fit.opticalDepth));
+  for (std::string& note : volume::notesOnOthers(read.imported.others)) ctx.note(std::move(note));
+}
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
   auto& job = ctx.state<Import>().job;
   if (!job)
-    job = std::make_unique<Job<volume::ImportedGrid>>(
-        [path = std::filesystem::path(in.file.path), grid = in.grid](JobControl& control) {
-          return volume::importVdb(path, grid, control);
+    job = std::make_unique<Job<Read>>(
+        [path = std::filesystem::path(in.file.path), grid = in.grid](JobControl& control) -> Result<Read> {
+          Read read;
+          PILEUS_TRY(read.imported, volume::importVdb(path, grid, control));
+          read.fit = volume::autofit(*read.imported.grid);
+          return read;
         });
   if (!job->done()) {
     ctx.pending(job->progress(), "Reading " + std::filesystem::path(in.file.path).filename().string());
     return Out{};
   }
   if (!job->result()) return fail(job->result().error().code, "file: {}", job->result().error().message);
-  const volume::ImportedGrid& imported = *job->result();
+  const volume::ImportedGrid& imported = job->result()->imported;
   for (const std::string& warning : imported.warnings) ctx.warn(warning);
   Out out;
   volume::Instance instance;
@@ -57,6 +77,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
         imported.grid->indexBounds.size() - dvec3(1.0);  // bounds reach one voxel beyond the active ones
     ctx.note(fmt::format("{}, {:.0f} x {:.0f} x {:.0f}, {} active voxels", imported.grid->name, extent.x,
                          extent.y, extent.z, imported.grid->activeVoxels));
+    explain(in, *job->result(), ctx);
     ctx.reportGpu(0, std::size_t(imported.grid->payloadCount) * volume::kStoredVoxels);
   }
   out.volume.items.push_back(std::move(instance));

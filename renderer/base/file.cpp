@@ -47,9 +47,16 @@ Result<std::string> readFile(const fs::path& path, std::size_t maxBytes) {
   return content;
 }
 
-Result<void> writeFileAtomic(const fs::path& path, std::string_view content) {
+Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
+  // A link stays a link: what it names is replaced.
+  std::error_code ec;
+  fs::path path = target;
+  if (fs::is_symlink(fs::symlink_status(path, ec)))
+    if (const fs::path real = fs::canonical(path, ec); !ec) path = real;
+  struct stat old {};
+  const mode_t mode = ::stat(path.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
   const fs::path temporary = path.string() + fmt::format(".tmp{}", ::getpid());
-  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode | 0200);
   if (fd < 0) return fail(Code::Input, "{}: cannot be written ({})", path.string(), reason());
   std::size_t done = 0;
   bool ok = true;
@@ -70,6 +77,12 @@ Result<void> writeFileAtomic(const fs::path& path, std::string_view content) {
     ::unlink(temporary.c_str());
     return fail(Code::Input, "{}: cannot be written ({})", path.string(), why);
   }
+  // The new name itself reaches the disk with its folder; where folders cannot be synced nothing is lost.
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (const int dir = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); dir >= 0) {
+    (void)::fsync(dir);
+    ::close(dir);
+  }
   return {};
 }
 
@@ -83,6 +96,7 @@ Key fileStamp(const fs::path& path) {
 }
 
 fs::path cacheFolder() { return xdgFolder("XDG_CACHE_HOME", ".cache"); }
+fs::path stateFolder() { return xdgFolder("XDG_STATE_HOME", ".local/state"); }
 fs::path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config"); }
 
 fs::path executablePath() {

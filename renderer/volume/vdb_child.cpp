@@ -80,7 +80,9 @@ int work(int argc, char** argv, Speaker& speaker, JobControl& control) {
   }
   auto imported = (*file)->import(argv[4], control);
   if (!imported) return speaker.fail(imported.error());
-  if (auto written = writeStore(argv[5], *imported->grid, imported->warnings); !written)
+  std::vector<std::string> notes = imported->warnings;
+  for (const std::string& name : imported->others) notes.push_back(std::string(kOtherGrid) + name);
+  if (auto written = writeStore(argv[5], *imported->grid, notes); !written)
     return speaker.fail(written.error());
   speaker.say(MessageKind::Done, "");
   return 0;

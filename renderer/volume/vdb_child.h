@@ -29,6 +29,9 @@ struct Message {
 /// Takes the first whole message off `buffer`; nothing yet: nullopt. An Error: the bytes are no message.
 Result<std::optional<Message>> takeMessage(std::string& buffer);
 
+/// Begins a note of a store that names another grid of the file (a warning never begins so).
+inline constexpr std::string_view kOtherGrid = "\x01grid ";
+
 std::string encodeInfo(const VdbInfo& info);
 std::optional<VdbInfo> decodeInfo(std::string_view bytes);
 

@@ -12,6 +12,7 @@
 #include <map>
 
 #include "renderer/volume/brick_builder.h"
+#include "renderer/volume/grid_guess.h"
 
 namespace pileus::volume {
 namespace {
@@ -204,14 +205,15 @@ std::optional<std::string> absurdClaim(const openvdb::GridBase& g) {
 }
 
 int rankOf(const openvdb::GridBase& g) {
-  std::string name = g.getName();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const GridRole role = roleOfGrid(g.getName());
   const bool scalar = isScalar(g), floating = g.valueType() == "float" || g.valueType() == "double";
-  const bool fog = g.getGridClass() == openvdb::GRID_FOG_VOLUME, named = name == "density" || name == "smoke";
+  const bool fog = g.getGridClass() == openvdb::GRID_FOG_VOLUME, named = role == GridRole::Density;
   if (!scalar) return 9;
   if (g.getGridClass() == openvdb::GRID_LEVEL_SET) return 8;
   if (!g.transform().isLinear()) return 7;
   if (floating && named) return fog ? 0 : 1;
+  // Heat is no density, but a file that holds nothing else shows it rather than nothing.
+  if (role != GridRole::Density && role != GridRole::Unknown) return 5;
   if (fog) return 2;
   return floating ? 3 : 4;
 }
@@ -275,6 +277,7 @@ struct VdbFile::Impl {
 
   void list();
   const Entry* choose() const;
+  std::vector<std::string> others(const Entry& than) const;  ///< names of the other grids
   Result<const Entry*> find(const std::string& name) const;
   GridInfo describe(const Entry& entry) const;
 };
@@ -305,6 +308,13 @@ const VdbFile::Impl::Entry* VdbFile::Impl::choose() const {
     return rankOf(*a.metadata) < rankOf(*b.metadata);
   });
   return it == entries.end() ? nullptr : &*it;
+}
+
+std::vector<std::string> VdbFile::Impl::others(const Entry& than) const {
+  std::vector<std::string> names;
+  for (const Entry& e : entries)
+    if (&e != &than && names.size() < 32) names.push_back(e.name);
+  return names;
 }
 
 Result<const VdbFile::Impl::Entry*> VdbFile::Impl::find(const std::string& name) const {
@@ -399,13 +409,14 @@ Result<VdbInfo> VdbFile::info(JobControl& control) {
 
 Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& control) {
   const Impl::Entry* entry = impl_->choose();
-  if (!entry) return ImportedGrid{emptyGrid("empty"), {"the file holds no grids"}};
+  if (!entry) return ImportedGrid{emptyGrid("empty"), {"the file holds no grids"}, {}};
   if (!gridName.empty()) {
     PILEUS_TRY(entry, impl_->find(gridName));
   }
   const openvdb::GridBase& meta = *entry->metadata;
   const auto empty = [&](std::string_view why) {
-    return ImportedGrid{emptyGrid(entry->name), {fmt::format("grid '{}' {}", entry->name, why)}};
+    return ImportedGrid{
+        emptyGrid(entry->name), {fmt::format("grid '{}' {}", entry->name, why)}, impl_->others(*entry)};
   };
   if (const std::string why = undrawable(meta); !why.empty()) return empty(why);
   if (!meta.transform().isLinear())
@@ -445,7 +456,7 @@ Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& co
       warnings.push_back(fmt::format("grid '{}': all of its values are 0", source.name));
   });
   if (!built) return built.error();
-  return ImportedGrid{built->grid, std::move(warnings)};
+  return ImportedGrid{built->grid, std::move(warnings), impl_->others(*entry)};
 }
 
 }  // namespace pileus::volume

@@ -81,6 +81,18 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
                fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
 }
 
+/// What a store keeps beside the grid: warnings, and after a mark the names of the file's other grids.
+ImportedGrid fromStore(GridPtr grid, std::vector<std::string> notes) {
+  ImportedGrid out{std::move(grid), {}, {}};
+  for (std::string& note : notes) {
+    if (note.starts_with(kOtherGrid))
+      out.others.push_back(note.substr(kOtherGrid.size()));
+    else
+      out.warnings.push_back(std::move(note));
+  }
+  return out;
+}
+
 fs::path storeFolder() {
   const fs::path folder = cacheFolder() / "bricks";
   std::error_code ec;
@@ -102,13 +114,13 @@ Result<VdbInfo> inspectVdb(const fs::path& path, JobControl& control, const Impo
 Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName, JobControl& control,
                                const ImportLimits& limits) {
   if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
-  const Key key = Hasher().add(fileStamp(path)).add(gridName).add(kStoreVersion).add("vdb").key();
+  const Key key = Hasher().add(fileStamp(path)).add(gridName).add(kStoreVersion).add("vdb and others").key();
   const fs::path folder = storeFolder(), store = folder / (key.hex() + ".bricks");
   std::error_code ec;
   if (fs::exists(store, ec)) {
     if (auto stored = readStore(store)) {
       fs::last_write_time(store, fs::file_time_type::clock::now(), ec);  // used now: pruned last
-      return ImportedGrid{stored->grid, std::move(stored->notes)};
+      return fromStore(stored->grid, std::move(stored->notes));
     } else {
       log::info("reading {} again, because its cached bricks cannot be used: {}", path.string(),
                 stored.error().message);
@@ -120,7 +132,7 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
     return about(path, Code::Internal,
                  fmt::format("its bricks cannot be read back: {}", stored.error().message));
   pruneStores(folder, kCacheBytes);
-  return ImportedGrid{stored->grid, std::move(stored->notes)};
+  return fromStore(stored->grid, std::move(stored->notes));
 }
 
 }  // namespace pileus::volume

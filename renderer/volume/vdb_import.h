@@ -53,6 +53,7 @@ struct ImportLimits {
 struct ImportedGrid {
   GridPtr grid;
   std::vector<std::string> warnings;  ///< for the node: empty grid, level set, NaN voxels, ..
+  std::vector<std::string> others{};  ///< names of the file's other grids, in alphabetical order
 };
 
 /// Everything in the file. Errors: Input (missing, not a VDB, damaged), Cancelled, Internal (the child could

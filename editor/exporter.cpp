@@ -1,6 +1,7 @@
 #include "editor/exporter.h"
 
 #include "editor/viewed_node.h"
+#include "nodes/picture_layers.h"
 #include "nodes/value.h"
 #include "renderer/image/exr.h"
 #include "renderer/view/picture.h"
@@ -41,6 +42,7 @@ std::optional<Result<std::filesystem::path>> Exporter::step() {
   settings.size = request_->graph.settings.size;
   settings.freeCamera = request_->freeCamera;
   settings.folder = request_->folder;
+  settings.extra = nodes::wantedLayers(request_->graph, request_->view);
   const nodes::EvalReport report = evaluator_->evaluate(request_->graph, {request_->view}, settings);
   fraction_ = report.fraction;
   waitingForJobs_ = report.waitingForJobs;

@@ -2,6 +2,7 @@
 // What evaluate() may see and say. One lives per node evaluation, on the GL thread.
 #include <any>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,18 +11,20 @@
 #include "renderer/base/math.h"
 #include "renderer/base/profile.h"
 #include "renderer/scene/camera.h"
+#include "renderer/view/picture_layer.h"
 
 namespace pileus::image {
 class ColorConfig;
 }
 namespace pileus::view {
+struct Picture;
 class Renderer;  // renderer/view/renderer.h: the GPU services (pools, programs, stores)
 }
 
 namespace pileus::nodes {
 
 enum class Quality {
-  Draft,  ///< while something is dragged: quarter-resolution pictures, small maps, one sample
+  Draft,  ///< while something is dragged: small pictures, small maps, one sample
   Final,  ///< as the parameters say
 };
 
@@ -32,6 +35,12 @@ struct EvalSettings {
   Quality quality = Quality::Final;
   std::optional<scene::Camera> freeCamera;     ///< the viewport's camera; absent: pictures without a camera frame the volumes
   std::filesystem::path folder;                ///< relative file parameters start here
+  int draftPixels = 0;                         ///< of a draft's picture; 0: as the device allows
+  int draftTexels = 0;                         ///< along the edge of a draft's shadow map; 0: as the device allows
+  view::PictureLayer layer;                    ///< what pictures hold
+  view::ExtraLayers extra;                     ///< and what is made beside it
+  view::PictureRegion region;                  ///< the part of a picture that is made
+  std::shared_ptr<const view::Picture> seed;   ///< what parts still to come show; no part of any key
   double budgetMs = 30;                        ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
 };
 
@@ -45,6 +54,12 @@ class EvalContext {
   ivec2 size() const { return settings_->size; }
   Quality quality() const { return settings_->quality; }
   const std::optional<scene::Camera>& freeCamera() const { return settings_->freeCamera; }
+  int draftPixels() const { return settings_->draftPixels; }
+  int draftTexels() const { return settings_->draftTexels; }
+  const view::PictureLayer& layer() const { return settings_->layer; }
+  const view::ExtraLayers& extra() const { return settings_->extra; }
+  const view::PictureRegion& region() const { return settings_->region; }
+  const std::shared_ptr<const view::Picture>& seed() const { return settings_->seed; }
 
   /// Null in evaluations without a GPU (tests of the model); types that need it fail with Code::Gpu.
   view::Renderer* renderer() const { return renderer_; }

@@ -257,6 +257,13 @@ void Evaluator::Impl::visit(const std::string& name) {
                     fail(Code::Input, "{}.{}: nothing is linked", name, type->inputs[i].id));
 
   run.key = contentKey(*type, in, *settings, graph.settings);
+  if (settings->quality == Quality::Draft && (type->uses & UsesQuality)) {
+    // What is there in full already is better than a draft and costs nothing.
+    EvalSettings full = *settings;
+    full.quality = Quality::Final;
+    const Key key = contentKey(*type, in, full, graph.settings);
+    if (cache.finished(key)) run.key = key;
+  }
   CachedResult& result = cache.at(run.key, call);
   const bool isNew = result.lastStepped == 0;
   const bool mayStep = !stepped || clock.ms() < settings->budgetMs || (!isNew && result.waitsForJob);

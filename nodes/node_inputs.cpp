@@ -72,7 +72,15 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
   }
   if (type.uses & UsesFrame) hash.add(settings.frame);
   if (type.uses & UsesSize) hash.add(settings.size.x).add(settings.size.y);
-  if (type.uses & UsesQuality) hash.add(settings.quality);
+  if (type.uses & UsesQuality) {
+    hash.add(settings.quality);
+    if (settings.quality == Quality::Draft) hash.add((type.uses & UsesSize) ? settings.draftPixels : settings.draftTexels);
+  }
+  if (type.uses & UsesLayers) {
+    const view::PictureRegion& r = settings.region;
+    hash.add(settings.layer.kind).add(settings.layer.light).add(settings.extra.depth).add(settings.extra.lights);
+    hash.add(r.min.x).add(r.min.y).add(r.max.x).add(r.max.y);
+  }
   if (type.uses & UsesColor)
     hash.add(std::string_view(document.ocio)).add(std::string_view(document.workingSpace));
   if ((type.uses & UsesFreeCamera) && !cameraLinked) addCamera(hash, settings.freeCamera);

@@ -42,7 +42,7 @@ struct SocketSpec {
 };
 
 /// Parts of the context a type depends on; only these enter its content key.
-enum Uses : unsigned { UsesNothing = 0, UsesFrame = 1, UsesSize = 2, UsesQuality = 4, UsesFreeCamera = 8, UsesColor = 16 };
+enum Uses : unsigned { UsesNothing = 0, UsesFrame = 1, UsesSize = 2, UsesQuality = 4, UsesFreeCamera = 8, UsesColor = 16, UsesLayers = 32 };
 
 struct NodeType {
   std::string id;        ///< "shadow.extinction"

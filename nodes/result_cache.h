@@ -45,6 +45,11 @@ class ResultCache {
 
   /// Made on first use; marks it as wanted in `call`. The reference is valid until the next trim().
   CachedResult& at(const Key& key, std::uint64_t call);
+  /// Is the whole result there?
+  bool finished(const Key& key) const {
+    const auto it = entries_.find(key);
+    return it != entries_.end() && it->second.complete && !it->second.error;
+  }
   void trim(std::uint64_t call);
   void setLimit(std::size_t bytes) { limit_ = bytes; }
   void clear() { entries_.clear(); }

@@ -20,6 +20,7 @@ Result<view::Renderer*> gpuOf(EvalContext& ctx) {
 
 int draftResolution(int resolution, const EvalContext& ctx) {
   if (ctx.quality() == Quality::Final) return resolution;
+  if (ctx.draftTexels() > 0) return std::min(resolution, ctx.draftTexels());
   return std::min(resolution, ctx.renderer() && ctx.renderer()->device().software ? 128 : 256);
 }
 

@@ -29,7 +29,8 @@ DisplayChoice displayOf(const nodes::Graph& graph, const std::string& preferred)
   if (!shown) return {};
   const nodes::NodeType& type = *nodes::findNodeType("output.view");
   return {std::get<std::string>(nodes::paramValue(*shown, *type.param("display"))), std::get<std::string>(nodes::paramValue(*shown, *type.param("view"))),
-          std::get<double>(nodes::paramValue(*shown, *type.param("exposure")))};
+          std::get<double>(nodes::paramValue(*shown, *type.param("exposure"))), std::get<std::string>(nodes::paramValue(*shown, *type.param("look"))),
+          std::get<double>(nodes::paramValue(*shown, *type.param("gamma")))};
 }
 
 Result<std::shared_ptr<const image::ColorConfig>> colorConfigOf(const nodes::Graph& graph, const fs::path& folder) {

@@ -16,6 +16,8 @@ Result<nodes::Graph> loadFaultless(const std::filesystem::path& file, const char
 struct DisplayChoice {
   std::string display, view;  ///< "" = the configuration's default
   double exposure = 0;        ///< stops
+  std::string look;
+  double gamma = 1;
 };
 /// By `preferred`, if that is a view node, else by the file's last one.
 DisplayChoice displayOf(const nodes::Graph& graph, const std::string& preferred = {});

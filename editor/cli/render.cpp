@@ -14,6 +14,7 @@
 
 #include "editor/cli/graph_file.h"
 #include "nodes/evaluator.h"
+#include "nodes/picture_layers.h"
 #include "nodes/serialize.h"
 #include "renderer/base/file.h"
 #include "renderer/gl/context.h"
@@ -128,7 +129,9 @@ Result<void> writePreview(const fs::path& path, const image::Image& picture, con
   const float gain = float(std::exp2(choice.exposure));
   for (std::size_t i = 0; i < rgba.size(); ++i)
     if (i % 4 != 3) rgba[i] *= gain;
-  PILEUS_CHECK(config->applyCpu(choice.display, choice.view, rgba.data(), rgba.size() / 4));
+  PILEUS_CHECK(config->applyCpu(choice.display, choice.view, rgba.data(), rgba.size() / 4, choice.look));
+  for (std::size_t i = 0; choice.gamma != 1 && i < rgba.size(); ++i)
+    if (i % 4 != 3) rgba[i] = std::pow(std::max(rgba[i], 0.0f), float(1 / choice.gamma));
   return image::writePng(path, picture.size, rgba.data());
 }
 
@@ -197,6 +200,7 @@ Result<void> renderAll(const RenderOptions& o) {
     settings.frame = frame;
     settings.size = graph.settings.size;
     settings.folder = folder;
+    settings.extra = nodes::wantedLayers(graph, target);
     Progress progress(frame, done, count);
     const Stopwatch clock;
     PILEUS_CHECK(evaluateFrame(evaluator, graph, target, settings, progress, printed));

@@ -10,6 +10,8 @@ struct In {
   FilePath file;
   image::PixelType type = image::PixelType::Half;
   image::Compression compression = image::Compression::Zip;
+  bool depth = false;
+  bool lights = false;
 };
 
 struct Out {};
@@ -23,6 +25,8 @@ void describe(Describe<In, Out>& d) {
   d.in("file", &In::file).file("exr", true).help("Target; #, ####, %04d or $F stand for the frame. `pileus render -o` overrides it.");
   d.in("type", &In::type).help("Precision of the stored pixels.");
   d.in("compression", &In::compression).help("Compression of the file.");
+  d.in("depth", &In::depth).help("Adds depth.Z in 32 bits: metres along the viewing axis to the mean point that scatters or reflects; 0 where nothing does.");
+  d.in("lights", &In::lights).label("Light layers").help("Adds light1.R, light1.G ... for each light in the order of the links: its part of the picture. Their sum is the picture; each takes about as long as it.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

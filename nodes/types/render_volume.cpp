@@ -25,13 +25,31 @@ struct Out {
 
 struct State {
   std::unique_ptr<view::VolumeRenderPass> pass;
+  struct Extra {
+    std::string name;
+    std::unique_ptr<view::VolumeRenderPass> pass;
+  };
+  std::vector<Extra> extras;  ///< layers beside the picture, made after it
+  std::size_t next = 0;
 };
+
+/// The passes of the layers that are asked for.
+void addLayers(State& state, const view::RenderScene& scene, const view::ExtraLayers& wanted) {
+  const auto add = [&](const std::string& name, view::PictureLayer layer) {
+    view::RenderScene one = scene;
+    one.options.layer = layer;
+    state.extras.push_back({name, std::make_unique<view::VolumeRenderPass>(std::move(one))});
+  };
+  using Kind = view::PictureLayer::Kind;
+  if (wanted.depth) add("depth", {Kind::Depth, 0});
+  for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i) add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
+}
 
 void describe(Describe<In, Out>& d) {
   d.name("Volume Render").category("Render").keywords("picture scattering march beauty");
   d.help("Renders single scattering of the lights in the volumes, and the solids behind and among them, front to back. Any number of "
          "overlapping volumes; the picture refines sample by sample. Background black, alpha 0.");
-  d.uses(UsesSize | UsesQuality | UsesFreeCamera);
+  d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");
   d.in("lights", &In::lights).many().help("The lights, each with its own shadow. None: black.");
   d.in("solids", &In::solids).many().help("The opaque solids to draw. They block a light only where they are linked to its shadow, too.");
@@ -47,29 +65,67 @@ Box3 framed(const In& in) {
   return volumes.empty() ? scene::worldBounds(in.solids.items) : volumes;
 }
 
+/// As many pixels as the context allows in a drag, of the picture's shape; in a region they are all spent there.
+ivec2 draftSize(const view::RenderOptions& o, const EvalContext& ctx, bool software) {
+  const int allowed = ctx.draftPixels() > 0 ? ctx.draftPixels() : software ? 25000 : o.size.x * o.size.y;
+  const dvec2 part = o.region.max - o.region.min;
+  const double pixels = double(o.size.x) * o.size.y * std::clamp(part.x * part.y, 1e-4, 1.0);
+  const double by = std::max(1.0, std::sqrt(pixels / std::max(allowed, 1)));
+  return glm::max(ivec2(glm::round(dvec2(o.size) / by)), ivec2(1));
+}
+
+/// The fraction of all passes that is done, the picture's own included.
+Result<double> stepLayers(State& state, const shadow::Gpu& gpu, EvalContext& ctx) {
+  double done = 0;
+  while (state.next < state.extras.size()) {
+    view::VolumeRenderPass& pass = *state.extras[state.next].pass;
+    PILEUS_TRY(done, pass.step(gpu, ctx.msLeft()));
+    ctx.reportGpu(pass.takeGpuMs(), pass.picture() ? pass.picture()->color.bytes() : 0);
+    if (done < 1) break;
+    done = 0;
+    if (++state.next < state.extras.size() && ctx.msLeft() <= 0) break;
+  }
+  return (1 + double(state.next) + done) / double(1 + state.extras.size());
+}
+
+std::shared_ptr<const view::Picture> withLayers(view::VolumeRenderPass& pass, const State& state) {
+  for (const State::Extra& extra : state.extras) pass.addLayer({extra.name, extra.pass->picture()});
+  return pass.picture();
+}
+
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
   PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
   auto& state = ctx.state<State>();
   if (!state.pass) {
-    view::RenderOptions options{ctx.size(), in.samples, in.step_scale, {}};
+    view::RenderOptions options;
+    options.size = ctx.size();
+    options.samples = in.samples;
+    options.stepScale = in.step_scale;
+    options.layer = ctx.layer();
+    options.region = ctx.region();
     const double aspect = double(options.size.x) / options.size.y;
     if (in.camera.camera) options.camera = *in.camera.camera;
     else if (ctx.freeCamera()) options.camera = *ctx.freeCamera();
     else options.camera = scene::frameBounds(framed(in), aspect);
     if (ctx.quality() == Quality::Draft) {
       options.samples = 1;
-      // A CPU draws some 25,000 pixels in the time a drag allows; a GPU draws them all.
-      if (renderer->device().software) {
-        const double pixels = double(options.size.x) * options.size.y;
-        options.size = glm::max(options.size / std::max(1, int(std::ceil(std::sqrt(pixels / 25000)))), ivec2(1));
-        options.stepScale *= 1.5;
-      }
+      options.size = draftSize(options, ctx, renderer->device().software);
+      if (renderer->device().software) options.stepScale *= 1.5;
     }
-    state.pass = std::make_unique<view::VolumeRenderPass>(view::RenderScene{options, in.volumes.items, in.lights.items, in.solids.items});
+    const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
+    state.pass = std::make_unique<view::VolumeRenderPass>(scene);
+    state.pass->beginWith(ctx.seed());
+    if (ctx.quality() == Quality::Final) addLayers(state, scene, ctx.extra());
   }
-  PILEUS_TRY(const double fraction, state.pass->step(renderer->gpu(), ctx.msLeft()));
-  const auto picture = state.pass->picture();
+  PILEUS_TRY(double fraction, state.pass->step(renderer->gpu(), ctx.msLeft()));
+  auto picture = state.pass->picture();
   ctx.reportGpu(state.pass->takeGpuMs(), picture ? picture->color.bytes() : 0);
+  if (fraction >= 1 && !state.extras.empty()) {
+    PILEUS_TRY(fraction, stepLayers(state, renderer->gpu(), ctx));
+    if (fraction >= 1) picture = withLayers(*state.pass, state);
+  } else if (!state.extras.empty()) {
+    fraction /= double(state.extras.size() + 1);
+  }
   if (const auto& r = state.pass->residency(); r.coarsened > 0)
     ctx.warn(fmt::format("{} of the grids are drawn coarser than they are: their bricks need {} MiB, {} MiB are set aside (--gpu-memory)", r.coarsened, r.wantedBytes >> 20, r.budgetBytes >> 20));
   if (fraction < 1) {

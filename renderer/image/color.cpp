@@ -84,10 +84,15 @@ struct ColorConfig::Impl {
   std::string description;
   ColorSource source;
   std::vector<Display> displays;
+  std::vector<std::string> looks;
 
   mutable std::mutex mutex;  // guards the two caches
-  mutable std::map<std::pair<std::string, std::string>, OCIO::ConstProcessorRcPtr> processors;
-  mutable std::map<std::pair<std::string, std::string>, GpuTransform> gpuTransforms;
+  struct Choice {
+    std::string display, view, look;
+    auto operator<=>(const Choice&) const = default;
+  };
+  mutable std::map<Choice, OCIO::ConstProcessorRcPtr> processors;
+  mutable std::map<Choice, GpuTransform> gpuTransforms;
 
   const Display* display(const std::string& name) const {
     const auto it =
@@ -95,8 +100,8 @@ struct ColorConfig::Impl {
     return it == displays.end() ? nullptr : &*it;
   }
 
-  using Choice = std::pair<std::string, std::string>;
-  Result<Choice> choose(const std::string& displayName, const std::string& viewName) const {
+  Result<Choice> choose(const std::string& displayName, const std::string& viewName,
+                        const std::string& look) const {
     const Display* d = displayName.empty() ? &displays.front() : display(displayName);
     if (!d) {
       std::vector<std::string> names;
@@ -104,16 +109,18 @@ struct ColorConfig::Impl {
       return fail(Code::Arguments, "there is no display '{}'; the colour config has {}", displayName,
                   quotedList(names));
     }
-    if (viewName.empty()) return Choice(d->name, d->defaultView);
+    if (!look.empty() && std::find(looks.begin(), looks.end(), look) == looks.end())
+      return fail(Code::Arguments, "there is no look '{}'; the colour config has {}", look, quotedList(looks));
+    if (viewName.empty()) return Choice{d->name, d->defaultView, look};
     if (std::find(d->views.begin(), d->views.end(), viewName) == d->views.end())
       return fail(Code::Arguments, "there is no view '{}' for display '{}'; the colour config has {}",
                   viewName, d->name, quotedList(d->views));
-    return Choice(d->name, viewName);
+    return Choice{d->name, viewName, look};
   }
 
   Error failed(const Choice& choice, const std::exception& e) const {
-    return fail(Code::Input, "{}: view '{}' of display '{}' cannot be made: {}", description, choice.second,
-                choice.first, clampReason(e.what()));
+    return fail(Code::Input, "{}: view '{}' of display '{}' cannot be made: {}", description, choice.view,
+                choice.display, clampReason(e.what()));
   }
 
   /// May throw OCIO::Exception. The mutex is held.
@@ -121,13 +128,22 @@ struct ColorConfig::Impl {
     if (auto it = processors.find(choice); it != processors.end()) return it->second;
     auto toView = OCIO::DisplayViewTransform::Create();
     toView->setSrc(source.space.c_str());
-    toView->setDisplay(choice.first.c_str());
-    toView->setView(choice.second.c_str());
+    toView->setDisplay(choice.display.c_str());
+    toView->setView(choice.view.c_str());
     auto group = OCIO::GroupTransform::Create();
     if (source.fromAces2065) {
       auto toAces = OCIO::BuiltinTransform::Create();
       toAces->setStyle("ACEScg_to_ACES2065-1");
       group->appendTransform(toAces);
+    }
+    if (!choice.look.empty()) {
+      // Instead of those the view asks for, as compositors do.
+      auto look = OCIO::LookTransform::Create();
+      look->setSrc(source.space.c_str());
+      look->setDst(source.space.c_str());
+      look->setLooks(choice.look.c_str());
+      group->appendTransform(look);
+      toView->setLooksBypass(true);
     }
     group->appendTransform(toView);
     return processors[choice] = config->getProcessor(group);
@@ -137,13 +153,20 @@ struct ColorConfig::Impl {
 ColorConfig::ColorConfig(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ColorConfig::~ColorConfig() = default;
 
+Result<std::shared_ptr<const ColorConfig>> ColorConfig::shipped() { return read("", ""); }
+
 Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& path) {
-  forwardLibraryLog();
   std::string file = path, name = path;
   if (const char* variable = std::getenv("OCIO"); file.empty() && variable && *variable) {
     file = variable;
     name = file + " ($OCIO)";
   }
+  return read(file, std::move(name));
+}
+
+/// `file` "": the shipped config.
+Result<std::shared_ptr<const ColorConfig>> ColorConfig::read(const std::string& file, std::string name) {
+  forwardLibraryLog();
   if (file.rfind("ocio://", 0) == 0)
     return fail(Code::Input,
                 "{}: configs inside the library need OpenColorIO 2.2, this build has {}; give a file, or "
@@ -170,6 +193,7 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::load(const std::string& 
     const OCIO::Config& config = *impl->config;
     impl->source = chooseColorSource(config);
     impl->description = impl->source.note.empty() ? name : name + ": " + impl->source.note;
+    for (int i = 0; i < config.getNumLooks(); ++i) impl->looks.emplace_back(config.getLookNameByIndex(i));
     const std::string first = config.getDefaultDisplay();
     for (int d = 0; d < config.getNumDisplays(); ++d) {
       Display display{config.getDisplay(d), config.getDefaultView(config.getDisplay(d)), {}};
@@ -215,10 +239,13 @@ std::string ColorConfig::defaultView(const std::string& display) const {
   return d ? d->defaultView : std::string{};
 }
 
+std::vector<std::string> ColorConfig::looks() const { return impl_->looks; }
+
 std::string ColorConfig::workingSpace() const { return impl_->source.space; }
 
-Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const std::string& view) const {
-  PILEUS_TRY(const auto choice, impl_->choose(display, view));
+Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const std::string& view,
+                                               const std::string& look) const {
+  PILEUS_TRY(const auto choice, impl_->choose(display, view, look));
   const std::lock_guard lock(impl_->mutex);
   if (auto it = impl_->gpuTransforms.find(choice); it != impl_->gpuTransforms.end()) return it->second;
   try {
@@ -230,7 +257,7 @@ Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const
     if (shader->getNumUniforms() != 0)
       return fail(Code::Input,
                   "{}: view '{}' of display '{}' has {} live parameters, which Pileus does not drive",
-                  impl_->description, choice.second, choice.first, shader->getNumUniforms());
+                  impl_->description, choice.view, choice.display, shader->getNumUniforms());
     GpuTransform out;
     out.glsl = shader->getShaderText();
     addTextures(*shader, out.textures);
@@ -254,8 +281,8 @@ Result<GpuTransform> ColorConfig::gpuTransform(const std::string& display, const
 }
 
 Result<void> ColorConfig::applyCpu(const std::string& display, const std::string& view, float* rgba,
-                                   std::size_t pixels) const {
-  PILEUS_TRY(const auto choice, impl_->choose(display, view));
+                                   std::size_t pixels, const std::string& look) const {
+  PILEUS_TRY(const auto choice, impl_->choose(display, view, look));
   try {
     OCIO::ConstCPUProcessorRcPtr cpu;
     {

@@ -34,6 +34,8 @@ class ColorConfig {
   /// "" = $OCIO if set, else the shipped config; otherwise a path. Error (Input) says what is wrong with the
   /// config; a config of a newer profile than the library says so.
   static Result<std::shared_ptr<const ColorConfig>> load(const std::string& path);
+  /// The one that is part of the program, whatever $OCIO says.
+  static Result<std::shared_ptr<const ColorConfig>> shipped();
   ~ColorConfig();
 
   std::string description() const;  ///< name or path, for the interface
@@ -41,20 +43,25 @@ class ColorConfig {
   std::vector<std::string> views(const std::string& display) const;
   std::string defaultDisplay() const;
   std::string defaultView(const std::string& display) const;
+  /// Looks by name, as the config lists them; often none.
+  std::vector<std::string> looks() const;
   /// The space of this config that ACEScg pixels are handed to: ACEScg itself; ACES2065-1 through the role
   /// aces_interchange, after a built-in conversion; or, as description() then says, scene_linear taken as it
   /// is.
   std::string workingSpace() const;
 
-  /// "" for display or view chooses the default. Error (Arguments) lists what exists.
-  Result<GpuTransform> gpuTransform(const std::string& display, const std::string& view) const;
+  /// "" for display or view chooses the default; for the look those that the view itself asks for. Error
+  /// (Arguments) lists what exists.
+  Result<GpuTransform> gpuTransform(const std::string& display, const std::string& view,
+                                    const std::string& look = {}) const;
   /// In place, RGBA interleaved float pixels (alpha untouched): the CPU twin of gpuTransform.
-  Result<void> applyCpu(const std::string& display, const std::string& view, float* rgba,
-                        std::size_t pixels) const;
+  Result<void> applyCpu(const std::string& display, const std::string& view, float* rgba, std::size_t pixels,
+                        const std::string& look = {}) const;
 
  private:
   struct Impl;
   explicit ColorConfig(std::unique_ptr<Impl> impl);
+  static Result<std::shared_ptr<const ColorConfig>> read(const std::string& file, std::string name);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -61,7 +61,7 @@ Imf::Compression exrCompression(Compression c) {
 
 const char* componentName(const Layer& layer, int component) {
   static constexpr const char* kColor[] = {"R", "G", "B", "A"};
-  return layer.channels == 1 ? "Y" : kColor[component];
+  return layer.channels == 1 ? (layer.data ? "Z" : "Y") : kColor[component];
 }
 
 std::string channelName(const Layer& layer, int component) {
@@ -138,7 +138,7 @@ Result<Imf::Header> makeHeader(const Image& image, const ExrOptions& options) {
   const Imf::PixelType type = options.type == PixelType::Half ? Imf::HALF : Imf::FLOAT;
   for (const Layer& layer : image.layers)
     for (int channel = 0; channel < layer.channels; ++channel)
-      header.channels().insert(channelName(layer, channel), Imf::Channel(type));
+      header.channels().insert(channelName(layer, channel), Imf::Channel(layer.data ? Imf::FLOAT : type));
   return header;
 }
 
@@ -158,12 +158,12 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image, con
   try {
     auto header = makeHeader(image, options);
     if (!header) return inPath(header.error());
-    const bool half = options.type == PixelType::Half;
-    const std::size_t component = half ? sizeof(Imath::half) : sizeof(float);
     const Imath::Box2i window = header->dataWindow();
     std::vector<std::vector<Imath::half>> halves;
     Imf::FrameBuffer frame;
     for (const Layer& layer : image.layers) {
+      const bool half = options.type == PixelType::Half && !layer.data;
+      const std::size_t component = half ? sizeof(Imath::half) : sizeof(float);
       const void* first = layer.pixels.data();
       if (half) first = halves.emplace_back(toHalf(layer.pixels)).data();
       const std::size_t stride = component * static_cast<std::size_t>(layer.channels);

@@ -14,6 +14,7 @@ struct Layer {
   std::string name;
   int channels = 4;           ///< 1 (Y), 3 (RGB) or 4 (RGBA, premultiplied)
   std::vector<float> pixels;  ///< height * width * channels, interleaved
+  bool data = false;          ///< measures, no colours: written in 32 bits, one channel is called Z
 };
 
 struct Chromaticities {

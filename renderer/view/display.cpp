@@ -1,5 +1,6 @@
 #include "renderer/view/display.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct Compiled {
 
 }  // namespace
 
+const std::array<vec3, kExposureBands>& exposureBands() {
+  // Cold to hot around a neutral middle; each differs from its neighbours in lightness, too.
+  static const std::array<vec3, kExposureBands> bands{
+      vec3(0.04f, 0.02f, 0.06f), vec3(0.20f, 0.06f, 0.30f), vec3(0.30f, 0.16f, 0.52f), vec3(0.20f, 0.26f, 0.66f), vec3(0.16f, 0.42f, 0.76f),
+      vec3(0.12f, 0.56f, 0.68f), vec3(0.22f, 0.62f, 0.44f), vec3(0.50f, 0.50f, 0.50f), vec3(0.56f, 0.70f, 0.30f), vec3(0.82f, 0.80f, 0.28f),
+      vec3(0.94f, 0.66f, 0.20f), vec3(0.92f, 0.46f, 0.16f), vec3(0.86f, 0.24f, 0.16f), vec3(0.94f, 0.50f, 0.52f), vec3(1.00f, 0.94f, 0.94f)};
+  return bands;
+}
+
 struct Display::Impl {
   gl::ShaderLibrary* shaders;
   std::map<std::string, Compiled> compiled;  ///< by config (address and description), display and view
@@ -36,9 +46,9 @@ struct Display::Impl {
   GLuint framebuffer = 0, vertices = 0;
 
   Result<Compiled*> transform(const image::ColorConfig& config, const DisplaySettings& s) {
-    const std::string key = fmt::format("{}|{}|{}|{}", static_cast<const void*>(&config), config.description(), s.display, s.view);
+    const std::string key = fmt::format("{}|{}|{}|{}", static_cast<const void*>(&config), config.description(), s.display, s.view) + "|" + s.look;
     if (const auto it = compiled.find(key); it != compiled.end()) return &it->second;
-    PILEUS_TRY(const image::GpuTransform gpu, config.gpuTransform(s.display, s.view));
+    PILEUS_TRY(const image::GpuTransform gpu, config.gpuTransform(s.display, s.view, s.look));
     Compiled c;
     const std::string text = "#define HAS_OCIO 1\n" + gpu.glsl + "\n";
     PILEUS_TRY(c.program, shaders->program({"view/display.vert.glsl", "view/display.frag.glsl"}, {}, text, gpu.key.hex()));
@@ -74,6 +84,14 @@ Result<unsigned> Display::draw(const gl::Texture& color, ivec2 size, ivec2 outpu
   for (const GLenum state : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST}) glDisable(state);
   c->program->use();
   c->program->set("gain", float(std::exp2(settings.exposure)));
+  c->program->set("inverseGamma", float(1 / std::max(settings.gamma, 1e-3)));
+  c->program->set("raw", int(settings.raw));
+  c->program->set("channel", int(settings.channel));
+  c->program->set("falseColor", int(settings.falseColor));
+  c->program->set("zebra", int(settings.zebra));
+  c->program->set("range", settings.range);
+  if (settings.falseColor)
+    for (int i = 0; i < kExposureBands; ++i) c->program->set(fmt::format("bands[{}]", i).c_str(), exposureBands()[std::size_t(i)]);
   c->program->set("pictureSize", size);
   c->program->set("outputSize", outputSize);
   color.filter(outputSize.x > size.x || outputSize.y > size.y ? GL_LINEAR : GL_NEAREST);

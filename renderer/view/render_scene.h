@@ -4,6 +4,7 @@
 #include "renderer/scene/camera.h"
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
+#include "renderer/view/picture_layer.h"
 #include "renderer/volume/instance.h"
 
 namespace pileus::view {
@@ -13,6 +14,8 @@ struct RenderOptions {
   int samples = 16;
   double stepScale = 1;  ///< of the finest detail or pixel footprint
   scene::Camera camera;
+  PictureLayer layer;
+  PictureRegion region;  ///< texels outside keep what the picture began with
 };
 
 struct RenderScene {

@@ -8,8 +8,21 @@
 
 namespace pileus::view {
 
+namespace {
+
+/// Those that the layer is made of.
+std::vector<shadow::ShadowedLight> lightsOf(const RenderScene& scene) {
+  const PictureLayer& layer = scene.options.layer;
+  if (layer.kind == PictureLayer::Kind::Beauty) return scene.lights;
+  const auto i = std::size_t(layer.light);
+  if (layer.kind == PictureLayer::Kind::Light && i < scene.lights.size()) return {scene.lights[i]};
+  return {};
+}
+
+}  // namespace
+
 VolumeRenderPass::VolumeRenderPass(RenderScene scene)
-    : scene_(std::make_shared<const RenderScene>(std::move(scene))), lights_(scene_->lights, scene_->volumes, scene_->solids) {}
+    : scene_(std::make_shared<const RenderScene>(std::move(scene))), lights_(lightsOf(*scene_), scene_->volumes, scene_->solids) {}
 
 void VolumeRenderPass::start(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
@@ -17,12 +30,18 @@ void VolumeRenderPass::start(const shadow::Gpu& gpu) {
   picture_->size = o.size;
   picture_->scene = scene_;
   picture_->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture");
-  picture_->color.clear();
+  picture_->layer = o.layer;
+  if (seed_ && seed_->layer == o.layer) stretch(*seed_, *picture_);
+  else picture_->color.clear();
+  seed_.reset();
   const auto drawn = std::span(lights_.volumes()).first(lights_.drawnVolumes());
   const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, o);
   tiles_.build(o.size, bounds);
   budget_.plan(marchCost(o, drawn, bounds, tiles_.longest(), lights_), gpu.device, pauseAfter_);
-  cursor_ = gl::RegionCursor(o.size, gpu.device);
+  const ivec2 lo = glm::clamp(ivec2(glm::floor(o.region.min * dvec2(o.size))), ivec2(0), o.size - 1);
+  const ivec2 hi = glm::clamp(ivec2(glm::ceil(o.region.max * dvec2(o.size))), lo + 1, o.size);
+  cursor_ = gl::RegionCursor(hi - lo, gpu.device);
+  cursor_.at = lo;
 }
 
 Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
@@ -55,6 +74,7 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
                                  {"OVERFLOW", tiles_.longest() > kInRegisters},
                                  {"LIGHTS", unrolled},
                                  {"SOLIDS", lights_.drawnSolids() > 0},
+                                 {"DEPTH", o.layer.kind == PictureLayer::Kind::Depth},
                                  {"RESUME", budget_.resumes()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, defines));
   program->use();

@@ -22,10 +22,14 @@ class VolumeRenderPass {
   /// before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
   int dispatches() const { return dispatches_; }
+  /// What the texels of regions still to come hold, stretched to the picture; before the first step.
+  void beginWith(std::shared_ptr<const Picture> seed) { seed_ = std::move(seed); }
   /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Null until the first region is drawn; the same object from then on, its texels improving until step() said 1.
   std::shared_ptr<const Picture> picture() const { return picture_; }
+  /// To the finished picture.
+  void addLayer(Picture::Named layer) { picture_->layers.push_back(std::move(layer)); }
   /// What the brick pool could hold, as of the last step.
   const residency::Residency& residency() const { return residency_; }
   double takeGpuMs() { return timer_.takeMs(); }
@@ -37,6 +41,7 @@ class VolumeRenderPass {
   std::shared_ptr<const RenderScene> scene_;
   LightSet lights_;
   std::shared_ptr<Picture> picture_;
+  std::shared_ptr<const Picture> seed_;
   residency::VolumeSet set_;
   residency::Residency residency_;
   residency::TileLists tiles_;

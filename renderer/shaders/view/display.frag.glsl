@@ -1,9 +1,14 @@
-// Exposure, OCIO display transform (its text, ocioDisplay, is put in front of this file), dither of one code value.
+// Gain, OCIO display transform (its text, ocioDisplay, is put in front of this file), gamma, dither of one code value, channel, clip marks.
 #include "shared/bindings.h"
 in vec2 uv;
 layout(location = 0) out vec4 color;
 layout(binding = UNIT_PICTURE) uniform sampler2D picture;
-uniform float gain;
+uniform float gain, inverseGamma;
+uniform int raw, channel, falseColor, zebra;  // channel: view::Channel
+uniform vec2 range;                           // of data; y <= x: light
+const int kBands = 15;
+uniform vec3 bands[kBands];
+const int kRed = 1, kBlue = 3, kAlpha = 4, kLuminance = 5, kTransmittance = 6;
 uniform ivec2 pictureSize, outputSize;
 
 // Bilinear when magnified, the mean of the covered texels when reduced.
@@ -30,12 +35,45 @@ vec4 resampled() {
 // Interleaved gradient noise (Jimenez 2014), zero mean, one code value of 8 bits wide.
 float dither(vec2 p) { return (fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
 
+float luminance(vec3 c) { return dot(c, vec3(0.2722287, 0.6740818, 0.0536895)); }  // of ACEScg
+
+vec3 viewed(vec3 light) {
+  if (falseColor != 0) {
+    float stops = log2(max(luminance(light), 1e-20) / 0.18);
+    return bands[clamp(int(floor(stops + 0.5)) + kBands / 2, 0, kBands - 1)];
+  }
+  if (channel == kLuminance) light = vec3(luminance(light));
+  if (raw != 0) return light;
+#ifdef HAS_OCIO
+  return ocioDisplay(vec4(light, 1.0)).rgb;
+#else
+  return light;
+#endif
+}
+
+// Data of what covers `alpha` of the pixel: near is white, far dark, nothing black.
+vec3 asData(float value, float alpha) {
+  float t = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
+  return vec3(mix(1.0, 0.08, t) * clamp(alpha, 0.0, 1.0));
+}
+
 void main() {
   vec4 c = resampled();
-#ifdef HAS_OCIO
-  vec3 shown = ocioDisplay(vec4(c.rgb * gain, 1.0)).rgb;
-#else
-  vec3 shown = c.rgb * gain;
-#endif
-  color = vec4(clamp(shown + dither(gl_FragCoord.xy), 0.0, 1.0), 1.0);
+  bool light = range.y <= range.x;
+  vec3 shown;
+  if (channel == kAlpha || channel == kTransmittance) {
+    shown = vec3(channel == kAlpha ? c.a : 1.0 - c.a);
+    light = false;
+  } else {
+    shown = light ? viewed(c.rgb * gain) : asData(c.r, c.a);
+  }
+  if (light && falseColor == 0 && inverseGamma != 1.0) shown = pow(max(shown, vec3(0.0)), vec3(inverseGamma));
+  bool over = light && falseColor == 0 && any(greaterThanEqual(shown, vec3(0.9999))), under = light && falseColor == 0 && any(lessThan(shown, vec3(-0.0005)));
+  shown += dither(gl_FragCoord.xy);
+  if (channel >= kRed && channel <= kBlue) shown = vec3(shown[channel - kRed]);
+  if (zebra != 0 && (over || under)) {
+    bool stripe = mod(gl_FragCoord.x + (over ? gl_FragCoord.y : -gl_FragCoord.y), 8.0) < 4.0;
+    shown = stripe ? (over ? vec3(0.90, 0.25, 0.20) : vec3(0.20, 0.45, 0.95)) : shown;
+  }
+  color = vec4(clamp(shown, 0.0, 1.0), 1.0);
 }

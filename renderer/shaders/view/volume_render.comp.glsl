@@ -2,8 +2,8 @@
 // target. Overlapping volumes are marched together; the step is the smallest of those active. The march ends at the nearest solid, which
 // adds T_cam albedo / pi SUM E cos T_light.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one),
-// LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES, RESUME (1: a sample may take several dispatches,
-// lib/resume.glsl) and those of lib/light_tau.glsl.
+// LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES, DEPTH (1: no light, but the mean
+// depth of what scatters), RESUME (1: a sample may take several dispatches, lib/resume.glsl) and those of lib/light_tau.glsl.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
 #include "lib/light_tau.glsl"
@@ -66,7 +66,10 @@ void main() {
   vec4 albedo[ACTIVE];
   float sigmas[ACTIVE];
   float T = 1.0, t = 0.0, next = 0.0;
-  vec3 L = vec3(0.0);
+  vec3 L = vec3(0.0);  // with DEPTH: sums of weight and depth, and of weight
+#if DEPTH
+  float forward = -dot(d, back);
+#endif
   bool inMedia = range.x < range.y;
 #if RESUME
   int slot = (pixel.y - regionOrigin.y) * (regionEnd.x - regionOrigin.x) + pixel.x - regionOrigin.x;
@@ -153,6 +156,7 @@ void main() {
         } while (sigma <= 0.0 && i < n);
 #endif
 
+#if !DEPTH
         vec3 p = eye + at * d, source = vec3(0.0);
 #if LIGHTS
         for (int l = 0; l < LIGHTS; ++l) {  // unrolled: constant offsets into the uniform block are loaded once for all lanes
@@ -184,9 +188,14 @@ void main() {
           ++l;
         } while (l < lightCount);
 #endif
-        // Exact over the step for a constant source and extinction.
+#endif
         float step = exp(-sigma * ds);
+#if DEPTH
+        L.xy += T * (1.0 - step) * vec2(at * forward, 1.0);
+#else
+        // Exact over the step for a constant source and extinction.
         L += T * (sigma * ds < 1e-4 ? ds * (1.0 - 0.5 * sigma * ds) : (1.0 - step) / max(sigma, 1e-30)) * source;
+#endif
 #if RESUME
         if (!paused) {
           T *= step;
@@ -215,15 +224,20 @@ void main() {
 #endif
   if (T < 1e-4) T = 0.0;
 #if SOLIDS
+#if DEPTH
+#define OF_SOLID vec3(end * forward, 1.0, 0.0)
+#else
+#define OF_SOLID reflected(solid, eye + end * d, normal, end)
+#endif
 #if RESUME
   SPEND(sampleCost);
   if (end < kNoHit && T > 0.0 && !paused) {
-    L += T * reflected(solid, eye + end * d, normal, end);
+    L += T * OF_SOLID;
     T = paused ? T : 0.0;
   }
 #else
   if (end < kNoHit && T > 0.0) {
-    L += T * reflected(solid, eye + end * d, normal, end);
+    L += T * OF_SOLID;
     T = 0.0;
   }
 #endif
@@ -238,8 +252,16 @@ void main() {
     return;
   }
 #endif
+  vec4 before = sampleIndex == 0 ? vec4(0.0) : imageLoad(target, pixel);
+#if DEPTH
+  // Weights are averaged, depths by their weights: a pixel half covered is as far away as what covers it.
+  if (any(isnan(L)) || any(isinf(L))) L = vec3(0.0);
+  float weight = before.a * float(sampleIndex), all = weight + L.y;
+  float depth = all > 0.0 ? (before.r * weight + L.x) / all : 0.0;
+  imageStore(target, pixel, vec4(vec3(depth), all / float(sampleIndex + 1)));
+#else
   vec4 now = vec4(L, 1.0 - T);
   if (any(isnan(now)) || any(isinf(now))) now = vec4(0.0);
-  vec4 before = sampleIndex == 0 ? vec4(0.0) : imageLoad(target, pixel);
   imageStore(target, pixel, before + (now - before) / float(sampleIndex + 1));
+#endif
 }

@@ -1,0 +1,36 @@
+#pragma once
+// What a picture can hold beside or instead of the beauty, and what part of it is made. Plain values without
+// OpenGL.
+#include <string>
+
+#include "renderer/base/math.h"
+
+namespace pileus::view {
+
+/// What the texels of a picture are.
+struct PictureLayer {
+  enum class Kind {
+    Beauty,  ///< radiance of all lights, premultiplied, with alpha
+    Depth,   ///< metres along the viewing axis to the mean point that scatters (three times), and how much
+             ///< scatters; 0 where nothing does
+    Light,   ///< radiance of one light alone, as the beauty
+  };
+  Kind kind = Kind::Beauty;
+  int light = 0;  ///< Light: its index in the scene
+  bool operator==(const PictureLayer&) const = default;
+};
+
+/// Layers made beside the beauty, for files.
+struct ExtraLayers {
+  bool depth = false, lights = false;
+  bool operator==(const ExtraLayers&) const = default;
+};
+
+/// A part of a picture, 0..1, y down; all of it by default.
+struct PictureRegion {
+  dvec2 min{0}, max{1};
+  bool whole() const { return min == dvec2(0) && max == dvec2(1); }
+  bool operator==(const PictureRegion&) const = default;
+};
+
+}  // namespace pileus::view

@@ -27,6 +27,36 @@ std::string keyName(int key) {
       return "[";
     case GLFW_KEY_RIGHT_BRACKET:
       return "]";
+    case GLFW_KEY_PERIOD:
+      return ".";
+    case GLFW_KEY_COMMA:
+      return ",";
+    case GLFW_KEY_SLASH:
+      return "/";
+    case GLFW_KEY_MINUS:
+      return "-";
+    case GLFW_KEY_EQUAL:
+      return "=";
+    case GLFW_KEY_SPACE:
+      return "Space";
+    case GLFW_KEY_ENTER:
+      return "Enter";
+    case GLFW_KEY_BACKSPACE:
+      return "Backspace";
+    case GLFW_KEY_END:
+      return "End";
+    case GLFW_KEY_PAGE_UP:
+      return "PgUp";
+    case GLFW_KEY_PAGE_DOWN:
+      return "PgDn";
+    case GLFW_KEY_LEFT:
+      return "Left";
+    case GLFW_KEY_RIGHT:
+      return "Right";
+    case GLFW_KEY_UP:
+      return "Up";
+    case GLFW_KEY_DOWN:
+      return "Down";
     default:
       return "?";
   }
@@ -41,8 +71,8 @@ void run(Editor& editor, const Action& action) {
 std::span<const Action> allActions() {
   static const std::vector<Action> all = [] {
     std::vector<Action> joined;
-    for (const auto part :
-         {fileActions(), editActions(), graphActions(), viewportActions(), viewActions(), helpActions()})
+    for (const auto part : {fileActions(), editActions(), graphActions(), numberedActions(),
+                            viewportActions(), viewActions(), helpActions()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

@@ -29,6 +29,7 @@ bool write(Editor& editor, const fs::path& path) {
     editor.dialogs.errorText = saved.error().message;
     return false;
   }
+  bookmarksFollow(editor, editor.document.path().string(), path.string());
   editor.document.markSaved(path);
   remember(editor.settings.recentFiles, path.string());
   editor.messages.info("Saved " + path.string());

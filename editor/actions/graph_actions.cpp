@@ -1,12 +1,17 @@
 // Commands of the graph canvas.
 #include "editor/actions/table.h"
+#include "editor/bookmarks.h"
 #include "editor/graph_view/canvas_commands.h"
+#include "editor/graph_view/frames.h"
+#include "editor/graph_view/scopes.h"
 
 namespace pileus::editor {
 namespace {
 
 bool hasSelection(const Editor& e) { return !e.document.selection().empty(); }
-bool canDelete(const Editor& e) { return hasSelection(e) || e.canvas.selectedLink; }
+bool hasLink(const Editor& e) { return e.canvas.selectedLink.has_value(); }
+bool hasFrame(const Editor& e) { return !e.canvas.selectedFrame.empty(); }
+bool canDelete(const Editor& e) { return hasSelection(e) || hasLink(e) || hasFrame(e); }
 bool oneSelected(const Editor& e) { return e.document.selection().size() == 1; }
 bool hasNodes(const Editor& e) { return !e.document.graph().nodes.empty(); }
 
@@ -21,6 +26,13 @@ const Action kActions[] = {
      duplicateSelection,
      hasSelection},
     {"graph.delete", "Delete", "Edit", P::Graph, {plain(GLFW_KEY_DELETE)}, deleteSelection, canDelete},
+    {"graph.delete_reconnect",
+     "Delete and Reconnect",
+     "Edit",
+     P::Graph,
+     {shift(GLFW_KEY_DELETE)},
+     deleteReconnecting,
+     canDelete},
     {"graph.add",
      "Add Node\xe2\x80\xa6",
      "Edit",
@@ -30,7 +42,31 @@ const Action kActions[] = {
      nullptr,
      nullptr,
      true},
-    {"graph.bypass", "Bypass", "Edit", P::Graph, {plain(GLFW_KEY_D)}, bypassSelection, hasSelection},
+    {"graph.insert", "Insert Node\xe2\x80\xa6", "", P::Graph, {}, searchNode, hasLink},
+    {"graph.mute",
+     "Mute Link",
+     "Edit",
+     P::Graph,
+     {},
+     muteSelectedLink,
+     hasLink,
+     [](const Editor& e) { return e.canvas.selectedLink && e.canvas.selectedLink->muted; }},
+    {"graph.rename_frame",
+     "Rename Frame",
+     "",
+     P::Graph,
+     {},
+     [](Editor& e) { renameFrame(e, e.canvas.selectedFrame); },
+     hasFrame},
+    {"graph.bypass",
+     "Bypass",
+     "Edit",
+     P::Graph,
+     {plain(GLFW_KEY_D), plain(GLFW_KEY_M)},
+     bypassSelection,
+     hasSelection,
+     nullptr,
+     true},
     {"graph.rename",
      "Rename",
      "Edit",
@@ -38,15 +74,17 @@ const Action kActions[] = {
      {plain(GLFW_KEY_F2)},
      [](Editor& e) { e.parameters.focusName = true; },
      oneSelected},
+    {"graph.view", "View This Node", "View", P::Graph, {}, viewSelected, oneSelected},
+    {"graph.clear_slots", "Clear View Slots", "", P::Graph, {}, clearViewSlots},
     {"graph.frame",
-     "Frame Selected Nodes",
+     "Zoom to Selected Nodes",
      "View",
      P::Graph,
      {plain(GLFW_KEY_F)},
      [](Editor& e) { (e.document.selection().empty() ? e.canvas.frameAll : e.canvas.frameSelection) = true; },
      hasNodes},
     {"graph.frame_all",
-     "Frame All Nodes",
+     "Zoom to All Nodes",
      "View",
      P::Graph,
      {plain(GLFW_KEY_A), plain(GLFW_KEY_HOME)},

@@ -1,5 +1,8 @@
 #include "editor/graph_view/canvas.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +10,11 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/canvas_view.h"
+#include "editor/graph_view/drag_feedback.h"
 #include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/draw_node.h"
 #include "editor/graph_view/hit_test.h"
+#include "editor/graph_view/link_gestures.h"
 
 namespace pileus::editor {
 namespace {
@@ -69,6 +74,7 @@ PointerInput pointerInput(const Editor& editor, bool hovered, Hit hit) {
   in.shift = io.KeyShift;
   in.ctrl = io.KeyCtrl;
   in.alt = io.KeyAlt;
+  in.knife = io.KeysDown[GLFW_KEY_Y];
   in.cancel = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   // The window lost the pointer without telling.
   if (editor.canvas.interaction.busy() && !ImGui::IsAnyMouseDown() && !in.released[0] && !in.released[1] &&
@@ -83,13 +89,13 @@ PointerInput pointerInput(const Editor& editor, bool hovered, Hit hit) {
 void drawLinks(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
   const Canvas& canvas = editor.canvas;
   const bool dragging = canvas.interaction.state == Interaction::State::DraggingLink;
-  for (const nodes::Link& link : editor.document.graph().links) {
-    if (dragging && canvas.interaction.link.replaces == link) continue;
+  for (const nodes::Link& link : shownGraph(editor).links) {
+    if (dragging && isPickedUp(canvas.interaction.link, link)) continue;
     vec2 from, to;
     nodes::SocketType type;
     if (!linkEnds(layout, link, from, to, type)) continue;
     LinkLook look;
-    look.selected = canvas.selectedLink == link;
+    look.selected = canvas.selectedLink == link || canvas.moving.onto == link;
     look.hovered = hit.kind == Hit::Kind::Link && hit.link == link && !dragging;
     look.muted = link.muted;
     look.dimmed = dragging;
@@ -100,7 +106,7 @@ void drawLinks(Editor& editor, const CanvasView& view, const Layout& layout, con
 void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
   const Canvas& canvas = editor.canvas;
   const bool dragging = canvas.interaction.state == Interaction::State::DraggingLink;
-  const std::vector<nodes::Link>& links = editor.document.graph().links;
+  const std::vector<nodes::Link>& links = shownGraph(editor).links;
   for (const NodePlace& place : layout.nodes) {
     const bool underPointer =
         hit.kind != Hit::Kind::Link && hit.kind != Hit::Kind::Canvas && hit.node == place.name;
@@ -130,42 +136,6 @@ void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, con
   }
 }
 
-/// The link under way: to the socket it would snap to, else to the pointer; a refusal stands beside the
-/// pointer.
-void drawDraggedLink(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
-  const Interaction& m = editor.canvas.interaction;
-  if (m.state != Interaction::State::DraggingLink) return;
-  const NodePlace* node = findPlace(layout, m.link.node);
-  const SocketPlace* fixed = node ? findSocket(*node, m.link.socket, !m.link.fromOutput) : nullptr;
-  if (!fixed) return;
-  vec2 loose = view.canvas(m.last);
-  const bool onSocket = hit.kind == Hit::Kind::Input || hit.kind == Hit::Kind::Output;
-  const auto refusal =
-      onSocket ? editor.canvas.refusals.find(socketKey(hit.node, hit.socket, hit.kind == Hit::Kind::Input))
-               : editor.canvas.refusals.end();
-  const bool refused = refusal != editor.canvas.refusals.end();
-  if (onSocket && !refused)
-    if (const NodePlace* target = findPlace(layout, hit.node))
-      if (const SocketPlace* s = findSocket(*target, hit.socket, hit.kind == Hit::Kind::Input)) loose = s->at;
-  LinkLook look;
-  look.hovered = true;
-  const ImU32 color = refused ? palette::kError : socketColor(fixed->type);
-  if (m.link.fromOutput)
-    drawLink(editor.theme, view, fixed->at, loose, color, look);
-  else
-    drawLink(editor.theme, view, loose, fixed->at, color, look);
-  if (refused && !refusal->second.empty()) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(editor.theme.px(340));
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
-    ImGui::TextUnformatted(refusal->second.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    editor.trace.note("refusal", refusal->second);
-  }
-}
-
 void drawHints(const Editor& editor, const CanvasView& view) {
   if (!editor.document.graph().nodes.empty()) return;
   const Theme& theme = editor.theme;
@@ -176,13 +146,6 @@ void drawHints(const Editor& editor, const CanvasView& view) {
            lines[0], 1e4f);
   drawText(view.draw, theme.body, {middle.x - 0.5f * textWidth(theme.body, lines[1]), middle.y + theme.px(4)},
            palette::kTextFaint, lines[1], 1e4f);
-}
-
-void drawBox(const Interaction& m, ImDrawList* draw) {
-  if (m.state != Interaction::State::BoxSelecting) return;
-  const vec2 lo = glm::min(m.press, m.last), hi = glm::max(m.press, m.last);
-  draw->AddRectFilled(im(lo), im(hi), faded(palette::kAccent, 0.12f));
-  draw->AddRect(im(lo), im(hi), faded(palette::kAccent, 0.8f));
 }
 
 /// What is wrong with the node under the resting pointer, or what it is.
@@ -240,7 +203,7 @@ void drawCanvas(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
   draw->PushClipRect(min, max, true);
   draw->AddRectFilled(min, max, palette::kCanvas);
 
-  Layout layout = layoutGraph(editor.document.graph(), editor.document.selection());
+  Layout layout = layoutGraph(shownGraph(editor), editor.document.selection());
   if (canvas.level < 0 || canvas.frameAll)
     frame(editor, layout, {});
   else if (canvas.frameSelection)
@@ -250,25 +213,27 @@ void drawCanvas(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
   CanvasView view = viewOf(editor, draw);
   const bool active = hovered || canvas.interaction.busy();
   const vec2 pointer = view.canvas(vec(ImGui::GetIO().MousePos));
-  Hit hit = active ? hitTest(layout, editor.document.graph(), pointer, view.level.zoom / editor.theme.scale,
+  Hit hit = active ? hitTest(layout, shownGraph(editor), pointer, view.level.zoom / editor.theme.scale,
                              canvas.interaction)
                    : Hit{};
+  if (canvas.interaction.state == Interaction::State::DraggingLink) hit = snappedToNode(editor, layout, hit);
   canvas.pointer = pointer;
   canvas.pointerInside = hovered;
   const PointerInput in = pointerInput(editor, hovered, hit);
   const bool selected = editor.document.selection().contains(hit.node);
   const std::uint64_t revision = editor.document.revision();
+  const bool moved = canvas.moving.active;
   for (const Command& c : step(canvas.interaction, in, selected, ImGui::GetIO().MouseDragThreshold))
     carryOut(editor, view, layout, c);
-  if (editor.document.revision() != revision)
-    layout = layoutGraph(editor.document.graph(), editor.document.selection());
+  if (editor.document.revision() != revision || moved || canvas.moving.active)
+    layout = layoutGraph(shownGraph(editor), editor.document.selection());
+  findDropLink(editor, layout);
   view = viewOf(editor, draw);
 
   drawGrid(editor.theme, view);
   drawLinks(editor, view, layout, hit);
   drawNodes(editor, view, layout, hit);
-  drawDraggedLink(editor, view, layout, hit);
-  drawBox(canvas.interaction, draw);
+  drawDragFeedback(editor, view, layout, hit);
   drawHints(editor, view);
   draw->PopClipRect();
   drawTooltip(editor, layout, hit, hovered);

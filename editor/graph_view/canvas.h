@@ -8,6 +8,7 @@
 #include <string>
 
 #include "editor/graph_view/interaction.h"
+#include "editor/graph_view/move_gesture.h"
 #include "editor/graph_view/node_search.h"
 #include "editor/viewed_node.h"
 
@@ -29,8 +30,14 @@ struct Canvas {
 
   /// While a link is dragged: why each socket refuses it; sockets that accept are not in it.
   std::map<std::string, std::string> refusals;
-  Hit menuHit;  ///< what the context menu is about
-  ViewSlots slots;  ///< nodes the number keys show
+  MoveGesture moving;
+  std::string selectedFrame;  ///< apart from nodes, as links; "" = none
+  Hit menuHit;                ///< what the context menu is about
+  vec2 menuAt{0};             ///< screen pixels
+  bool menuOpening = false;
+  dvec2 pastedAt{0};  ///< where the last paste was asked for
+  int pastes = 0;     ///< in that place
+  ViewSlots slots;    ///< nodes the number keys show
 };
 
 /// Key of a socket in Canvas::refusals.

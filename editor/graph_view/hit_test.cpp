@@ -8,7 +8,9 @@
 namespace pileus::editor {
 namespace {
 
-const SocketPlace* socketAt(const NodePlace& node, vec2 at, float reach, bool labels) {
+/// `side`: only labels of inputs (true) or outputs (false).
+const SocketPlace* socketAt(const NodePlace& node, vec2 at, float reach, bool labels,
+                            std::optional<bool> side) {
   const SocketPlace* best = nullptr;
   float bestDistance = reach;
   for (const SocketPlace& s : node.sockets) {
@@ -18,7 +20,7 @@ const SocketPlace* socketAt(const NodePlace& node, vec2 at, float reach, bool la
   if (best || !labels) return best;
   // The label: from the dot inwards, one row high; inputs own the left part of a shared row.
   for (const SocketPlace& s : node.sockets) {
-    if (std::abs(at.y - s.at.y) > 0.5f * kRowHeight) continue;
+    if (std::abs(at.y - s.at.y) > 0.5f * kRowHeight || (side && s.input != *side)) continue;
     const float inwards = s.input ? at.x - s.at.x : s.at.x - at.x;
     const float width = 13 + 8.0f * static_cast<float>(std::min<std::size_t>(s.label.size(), 14));
     if (inwards >= -reach && inwards <= width) return &s;
@@ -33,15 +35,20 @@ Hit hitTest(const Layout& layout, const nodes::Graph& graph, vec2 at, float zoom
   const bool dragging = machine.state == Interaction::State::DraggingLink;
   const float reach = std::clamp((dragging ? 18.0f : 11.0f) / zoom, 8.0f, 40.0f);
   const bool readable = zoom > 0.5f;
+  // A label that the dragged link cannot end at is a part of the node like any other.
+  std::optional<bool> side;
+  if (dragging) side = machine.link.fromOutput && machine.link.moves.empty();
   for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node) {
     const bool near = at.x >= node->min.x - reach && at.x <= node->max.x + reach && at.y >= node->min.y &&
                       at.y <= node->max.y;
     if (!near) continue;
-    if (const SocketPlace* s = zoom > 0.18f ? socketAt(*node, at, reach, readable) : nullptr) {
+    if (const SocketPlace* s = zoom > 0.18f ? socketAt(*node, at, reach, readable, side) : nullptr) {
       Hit hit{s->input ? Hit::Kind::Input : Hit::Kind::Output, node->name, s->id, {}, {}};
-      if (s->input && !s->many)
-        for (const nodes::Link& link : graph.links)
-          if (link.toNode == node->name && link.toSocket == s->id) hit.taken = link;
+      for (const nodes::Link& link : graph.links)
+        if (s->input ? link.toNode == node->name && link.toSocket == s->id
+                     : link.fromNode == node->name && link.fromSocket == s->id)
+          hit.links.push_back(link);
+      if (s->input && !s->many && !hit.links.empty()) hit.taken = hit.links.back();
       return hit;
     }
     if (at.x >= node->min.x && at.x <= node->max.x) return {Hit::Kind::Node, node->name, {}, {}, {}};

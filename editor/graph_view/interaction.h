@@ -10,12 +10,21 @@
 
 namespace pileus::editor {
 
+/// Sides of a frame that a drag moves; none = its header.
+struct FrameSides {
+  bool left = false, top = false, right = false, bottom = false;
+  bool any() const { return left || top || right || bottom; }
+  bool operator==(const FrameSides&) const = default;
+};
+
 /// What lies under the pointer.
 struct Hit {
-  enum class Kind { Canvas, Node, Input, Output, Link } kind = Kind::Canvas;
-  std::string node, socket;          ///< Node, Input, Output
+  enum class Kind { Canvas, Node, Input, Output, Link, Frame } kind = Kind::Canvas;
+  std::string node, socket;          ///< Node, Input, Output; of a Frame: its id in `node`
   nodes::Link link;                  ///< Link
   std::optional<nodes::Link> taken;  ///< Input that takes one link and has it
+  std::vector<nodes::Link> links{};  ///< Input, Output: all of its links, in order
+  FrameSides sides{};                ///< Frame
 };
 
 struct PointerInput {
@@ -23,20 +32,24 @@ struct PointerInput {
   bool pressed[3] = {}, released[3] = {};  ///< left, right, middle: this frame's edges
   bool doubleClick = false;                ///< with pressed[0]
   bool shift = false, ctrl = false, alt = false;
+  bool knife = false;   ///< the knife's key is down
   bool cancel = false;  ///< Esc, or the window lost the pointer
   float wheel = 0;
   bool over = false;  ///< the pointer is over the canvas and nothing covers it
   Hit hit;
 };
 
-/// A link being dragged from a fixed end.
+/// A link being dragged from a fixed end, or several from theirs.
 struct LinkDrag {
   bool fromOutput = true;               ///< the fixed end is an output
-  std::string node, socket;             ///< the fixed end
+  std::string node, socket;             ///< the fixed end; of several links: the output they came from
   std::optional<nodes::Link> replaces;  ///< the link that was picked off an input
+  std::vector<nodes::Link> moves{};     ///< all links of an output that look for another one
 };
 
 enum class SelectOp { Replace, Add, Remove };
+/// What a freely drawn line is for: the first three act on the links it crosses.
+enum class Stroke { Cut, Mute, Dots, Lasso };
 
 namespace command {
 struct Pan {
@@ -53,15 +66,30 @@ struct SelectNode {
 struct SelectLink {
   nodes::Link link;
 };
+struct SelectFrame {
+  std::string frame;
+};
 struct SelectNone {};
 struct SelectBox {
   vec2 a{0}, b{0};
   SelectOp op = SelectOp::Replace;
 };  ///< screen corners
+struct SelectLasso {
+  std::vector<vec2> around;
+  SelectOp op = SelectOp::Replace;
+};  ///< screen points
 struct Move {
   vec2 by{0};
 };  ///< pixels, of the selection
 struct MoveDone {};
+struct FrameDrag {
+  std::string frame;
+  FrameSides sides;
+  bool content = true;
+  vec2 by{0};
+};  ///< pixels
+struct FrameDone {};
+struct Cancel {};  ///< of a Move or FrameDrag: everything lies where it lay
 struct LinkStart {
   LinkDrag drag;
 };
@@ -70,21 +98,37 @@ struct LinkDrop {
   Hit on;
   vec2 at{0};
 };
+struct PutDot {
+  nodes::Link link;
+  vec2 at{0};
+};
+struct StrokeDone {
+  Stroke kind = Stroke::Cut;
+  std::vector<vec2> points;
+};  ///< screen points
+struct View {
+  std::string node;
+};
 struct Menu {
   Hit hit;
   vec2 at{0};
-};  ///< right click on a node or link
+};  ///< right click on a node, link or frame; on the canvas with a modifier
 struct Search {
   vec2 at{0};
 };  ///< right click on nothing
 struct Open {
   std::string node;
 };  ///< double click
+struct RenameFrame {
+  std::string frame;
+};
 }  // namespace command
 using Command =
-    std::variant<command::Pan, command::Zoom, command::SelectNode, command::SelectLink, command::SelectNone,
-                 command::SelectBox, command::Move, command::MoveDone, command::LinkStart, command::LinkDrop,
-                 command::Menu, command::Search, command::Open>;
+    std::variant<command::Pan, command::Zoom, command::SelectNode, command::SelectLink, command::SelectFrame,
+                 command::SelectNone, command::SelectBox, command::SelectLasso, command::Move,
+                 command::MoveDone, command::FrameDrag, command::FrameDone, command::Cancel,
+                 command::LinkStart, command::LinkDrop, command::PutDot, command::StrokeDone, command::View,
+                 command::Menu, command::Search, command::Open, command::RenameFrame>;
 
 struct Interaction {
   enum class State {
@@ -93,9 +137,12 @@ struct Interaction {
     Zooming,
     PressedNode,
     MovingNodes,
+    PressedFrame,
+    DraggingFrame,
     PressedCanvas,
     BoxSelecting,
     DraggingLink,
+    Stroking,
     PressedRight
   };
   State state = State::Idle;
@@ -104,6 +151,10 @@ struct Interaction {
   LinkDrag link;  ///< DraggingLink
   SelectOp boxOp = SelectOp::Replace;
   bool deferredSelect = false;  ///< a click on a selected node selects it alone, but only if it was no drag
+  bool frameContent = true;     ///< DraggingFrame: what lies in it comes along
+  Stroke stroke = Stroke::Cut;
+  std::vector<vec2> path;       ///< Stroking: screen points so far
+  std::optional<Stroke> armed;  ///< chosen from a menu for the next left drag
 
   bool busy() const { return state != State::Idle; }
 };

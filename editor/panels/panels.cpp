@@ -8,6 +8,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
+#include "editor/graph_view/canvas_menus.h"
 #include "editor/menu.h"
 #include "editor/panels/lab.h"
 #include "editor/panels/log.h"

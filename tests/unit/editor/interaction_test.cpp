@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/graph_view/hit_test.h"
+#include "editor/graph_view/path_geometry.h"
 
 namespace pileus::editor {
 namespace {
@@ -177,6 +178,195 @@ TEST(Interaction, PansZoomsAndOpensMenus) {
   EXPECT_EQ(hand.commands<command::Menu>().size(), 1u);
 }
 
+TEST(Interaction, EscTakesAMoveBack) {
+  Hand hand;
+  hand.in.pressed[0] = true;
+  hand.frame({0, 0}, onNode("Sun"));
+  hand.frame({50, 0}, onNode("Sun"));
+  hand.in.cancel = true;
+  hand.frame({60, 0}, onNode("Sun"));
+  EXPECT_EQ(hand.commands<command::Cancel>().size(), 1u);
+  hand.in.released[0] = true;
+  hand.frame({60, 0}, onNode("Sun"));
+  EXPECT_TRUE(hand.commands<command::MoveDone>().empty());
+}
+
+nodes::Link linkTo(const char* node) { return {"Sun", "light", node, "light"}; }
+
+TEST(Interaction, ShiftAtAnInputDrawsAnotherLinkFromItsSource) {
+  Hand hand;
+  Hit hit = onInput("Map", "light");
+  hit.taken = linkTo("Map");
+  hit.links = {linkTo("Map")};
+  hand.in.shift = true;
+  hand.in.pressed[0] = true;
+  hand.frame({0, 0}, hit);
+  EXPECT_TRUE(hand.machine.link.fromOutput);
+  EXPECT_EQ(hand.machine.link.node, "Sun");
+  EXPECT_FALSE(hand.machine.link.replaces) << "the old link stays";
+  EXPECT_TRUE(hand.machine.link.moves.empty());
+}
+
+TEST(Interaction, CtrlAtAnOutputTakesAllOfItsLinks) {
+  Hand hand;
+  Hit hit = onOutput("Sun", "light");
+  hit.links = {linkTo("A"), linkTo("B")};
+  hand.in.ctrl = true;
+  hand.in.pressed[0] = true;
+  hand.frame({0, 0}, hit);
+  EXPECT_EQ(hand.machine.link.moves, hit.links);
+  hand.in.released[0] = true;
+  hand.frame({90, 0}, onOutput("Lamp", "light"));
+  ASSERT_EQ(hand.commands<command::LinkDrop>().size(), 1u);
+  EXPECT_EQ(hand.commands<command::LinkDrop>()[0].on.node, "Lamp");
+  hand.in.pressed[0] = true;
+  hand.frame({0, 0}, onOutput("Free", "light"));
+  EXPECT_TRUE(hand.machine.link.moves.empty()) << "an output without links begins one";
+}
+
+TEST(Interaction, CtrlClickPutsADotAndCtrlShiftClickViews) {
+  Hand hand;
+  Hit onLink;
+  onLink.kind = Hit::Kind::Link;
+  onLink.link = linkTo("A");
+  hand.in.ctrl = true;
+  hand.in.pressed[0] = true;
+  hand.frame({3, 4}, onLink);
+  ASSERT_EQ(hand.commands<command::PutDot>().size(), 1u);
+  EXPECT_EQ(hand.commands<command::PutDot>()[0].link, linkTo("A"));
+  EXPECT_EQ(hand.commands<command::PutDot>()[0].at, vec2(3, 4));
+  hand.in.shift = true;
+  hand.in.pressed[0] = true;
+  hand.frame({3, 4}, onNode("Render"));
+  ASSERT_EQ(hand.commands<command::View>().size(), 1u);
+  EXPECT_EQ(hand.machine.state, State::Idle);
+  EXPECT_TRUE(hand.commands<command::SelectNode>().empty());
+}
+
+/// Draws a line with a button and modifiers that `set` chooses; returns what it became.
+std::vector<command::StrokeDone> drawnWith(Hand& hand, int button) {
+  hand.in.pressed[button] = true;
+  hand.frame({0, 0});
+  EXPECT_EQ(hand.machine.state, State::Stroking);
+  for (float x = 0; x <= 100; x += 1) hand.frame({x, 0});
+  hand.in.released[button] = true;
+  hand.frame({101, 0});
+  EXPECT_EQ(hand.machine.state, State::Idle);
+  return hand.commands<command::StrokeDone>();
+}
+
+TEST(Interaction, RightDragsAndTheKnifeKeyDrawLines) {
+  struct Case {
+    bool ctrl, shift, alt, knife;
+    int button;
+    Stroke becomes;
+  };
+  for (const Case c : {Case{true, false, false, false, 1, Stroke::Cut},
+                       {true, false, true, false, 1, Stroke::Mute},
+                       {false, true, false, false, 1, Stroke::Dots},
+                       {false, false, false, true, 0, Stroke::Cut}}) {
+    Hand hand;
+    hand.in.ctrl = c.ctrl, hand.in.shift = c.shift, hand.in.alt = c.alt, hand.in.knife = c.knife;
+    const auto lines = drawnWith(hand, c.button);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].kind, c.becomes);
+    EXPECT_EQ(lines[0].points.front(), vec2(0, 0));
+    EXPECT_EQ(lines[0].points.back(), vec2(101, 0)) << "the line ends where the button was released";
+    EXPECT_LT(lines[0].points.size(), 40u) << "points a pixel apart are thinned out";
+  }
+}
+
+TEST(Interaction, EscEndsALineWithoutConsequence) {
+  Hand hand;
+  hand.in.ctrl = true;
+  hand.in.pressed[1] = true;
+  hand.frame({0, 0});
+  hand.frame({100, 0});
+  hand.in.cancel = true;
+  hand.frame({120, 0});
+  EXPECT_EQ(hand.machine.state, State::Idle);
+  hand.in.released[1] = true;
+  hand.frame({120, 0});
+  EXPECT_TRUE(hand.commands<command::StrokeDone>().empty());
+  EXPECT_TRUE(hand.commands<command::Menu>().empty());
+}
+
+TEST(Interaction, AModifiedRightClickOpensTheMenuOfWhatIsThere) {
+  Hand hand;
+  hand.in.ctrl = true;
+  hand.in.pressed[1] = true;
+  hand.frame({5, 5});
+  hand.in.released[1] = true;
+  hand.frame({5, 5});
+  ASSERT_EQ(hand.commands<command::Menu>().size(), 1u);
+  EXPECT_EQ(hand.commands<command::Menu>()[0].hit.kind, Hit::Kind::Canvas);
+}
+
+TEST(Interaction, ALassoSelectsAndAToolFromTheMenuActsOnce) {
+  Hand hand;
+  hand.in.ctrl = hand.in.alt = true;
+  drawnWith(hand, 0);
+  ASSERT_EQ(hand.commands<command::SelectLasso>().size(), 1u);
+  EXPECT_EQ(hand.commands<command::SelectLasso>()[0].op, SelectOp::Replace);
+  Hand armed;
+  armed.machine.armed = Stroke::Mute;
+  const auto lines = drawnWith(armed, 0);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].kind, Stroke::Mute);
+  EXPECT_FALSE(armed.machine.armed);
+  armed.machine.armed = Stroke::Cut;
+  armed.in.cancel = true;
+  armed.frame({0, 0});
+  EXPECT_FALSE(armed.machine.armed) << "Esc puts the tool away";
+}
+
+TEST(Interaction, FramesMoveWithTheirContentAndResizeAtTheirSides) {
+  Hit header;
+  header.kind = Hit::Kind::Frame;
+  header.node = "1";
+  Hand hand;
+  hand.in.pressed[0] = true;
+  hand.frame({0, 0}, header);
+  hand.frame({20, 10}, header);
+  hand.frame({25, 10}, header);
+  hand.in.released[0] = true;
+  hand.frame({25, 10}, header);
+  vec2 sum(0);
+  for (const command::FrameDrag& d : hand.commands<command::FrameDrag>()) {
+    sum += d.by;
+    EXPECT_TRUE(d.content);
+    EXPECT_FALSE(d.sides.any());
+  }
+  EXPECT_EQ(sum, vec2(25, 10));
+  EXPECT_EQ(hand.commands<command::FrameDone>().size(), 1u);
+  EXPECT_EQ(hand.commands<command::SelectFrame>().size(), 1u);
+
+  Hand alone;
+  alone.in.ctrl = true;
+  alone.in.pressed[0] = true;
+  alone.frame({0, 0}, header);
+  alone.frame({20, 0}, header);
+  ASSERT_EQ(alone.commands<command::FrameDrag>().size(), 1u);
+  EXPECT_FALSE(alone.commands<command::FrameDrag>()[0].content);
+  alone.in.cancel = true;
+  alone.frame({20, 0}, header);
+  EXPECT_EQ(alone.commands<command::Cancel>().size(), 1u);
+
+  Hand corner;
+  Hit side = header;
+  side.sides.right = side.sides.bottom = true;
+  corner.in.pressed[0] = true;
+  corner.frame({0, 0}, side);
+  corner.frame({20, 0}, side);
+  ASSERT_EQ(corner.commands<command::FrameDrag>().size(), 1u);
+  EXPECT_TRUE(corner.commands<command::FrameDrag>()[0].sides.right);
+
+  Hand twice;
+  twice.in.pressed[0] = twice.in.doubleClick = true;
+  twice.frame({0, 0}, header);
+  EXPECT_EQ(twice.commands<command::RenameFrame>().size(), 1u);
+}
+
 TEST(Interaction, NothingStartsWhereThePointerIsNotOverTheCanvas) {
   Hand hand;
   hand.in.over = false;
@@ -205,6 +395,44 @@ TEST(HitTest, FindsBodiesDotsAndLabels) {
   EXPECT_EQ(hitTest(layout, graph, 0.5f * (out.at + in.at), 1, {}).kind, Hit::Kind::Link);
   EXPECT_EQ(hitTest(layout, graph, {-500, -500}, 1, {}).kind, Hit::Kind::Canvas);
   EXPECT_EQ(nodesInside(layout, {-10, -10}, {10, 10}), std::set<std::string>{"Sun"});
+}
+
+TEST(HitTest, SocketsKnowTheirLinks) {
+  const nodes::Link link{"Sun", "light", "Map", "light"};
+  const nodes::Graph graph = *nodes::connect(twoNodes(), link);
+  const Layout layout = layoutGraph(graph, {});
+  const SocketPlace& out = *findSocket(*findPlace(layout, "Sun"), "light", false);
+  const SocketPlace& in = *findSocket(*findPlace(layout, "Map"), "light", true);
+  EXPECT_EQ(hitTest(layout, graph, out.at, 1, {}).links, std::vector<nodes::Link>{link});
+  EXPECT_EQ(hitTest(layout, graph, in.at, 1, {}).links, std::vector<nodes::Link>{link});
+  EXPECT_EQ(hitTest(layout, graph, in.at, 1, {}).taken, link);
+  Interaction dragging;
+  dragging.state = State::DraggingLink;
+  dragging.link = {true, "Other", "light", {}};
+  EXPECT_EQ(hitTest(layout, graph, out.at - vec2(30, 0), 1, dragging).kind, Hit::Kind::Node)
+      << "the label of a socket that cannot be meant is a part of the node";
+}
+
+TEST(Paths, CrossLinksAndSurroundNodes) {
+  const nodes::Link link{"Sun", "light", "Map", "light"};
+  const nodes::Graph graph = *nodes::connect(twoNodes(), link);
+  const Layout layout = layoutGraph(graph, {});
+  const vec2 a = findSocket(*findPlace(layout, "Sun"), "light", false)->at;
+  const vec2 b = findSocket(*findPlace(layout, "Map"), "light", true)->at;
+  const vec2 middle = 0.5f * (a + b);
+  const auto crossed = crossings(layout, graph, {middle - vec2(0, 100), middle + vec2(0, 100)});
+  ASSERT_EQ(crossed.size(), 1u);
+  EXPECT_EQ(crossed[0].link, link);
+  EXPECT_NEAR(crossed[0].at.x, middle.x, 1);
+  EXPECT_NEAR(crossed[0].at.y, middle.y, 2);
+  EXPECT_TRUE(crossings(layout, graph, {middle + vec2(0, 50), middle + vec2(0, 100)}).empty());
+  const std::vector<vec2> round{{-30, -30}, {220, -30}, {220, 200}, {-30, 200}};
+  EXPECT_EQ(nodesAround(layout, round), std::set<std::string>{"Sun"});
+  EXPECT_TRUE(nodesAround(layout, {{-90, -90}, {-50, -90}, {-50, -50}}).empty());
+  float distance = 0;
+  EXPECT_TRUE(passesThrough(linkCurve(a, b), middle - 10.0f, middle + 10.0f, distance));
+  EXPECT_LT(distance, 10);
+  EXPECT_FALSE(passesThrough(linkCurve(a, b), middle + vec2(0, 100), middle + vec2(10, 110), distance));
 }
 
 }  // namespace

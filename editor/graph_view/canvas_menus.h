@@ -1,0 +1,14 @@
+#pragma once
+// The context menus of nodes, links, frames and the canvas: everything keys and gestures do, by mouse alone.
+#include "editor/graph_view/interaction.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+/// At a screen position, in this frame or the next.
+void openCanvasMenu(Editor& editor, const Hit& hit, vec2 at);
+/// Once a frame, after the canvas.
+void drawCanvasMenu(Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,121 @@
+#include "editor/graph_view/drag_feedback.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "editor/editor.h"
+#include "editor/graph_view/draw_link.h"
+#include "editor/graph_view/link_gestures.h"
+#include "editor/graph_view/path_geometry.h"
+#include "editor/widgets.h"
+
+namespace pileus::editor {
+namespace {
+
+using State = Interaction::State;
+
+/// The ends of the links under way that stay where they are.
+std::vector<SocketPlace> fixedEnds(const Layout& layout, const LinkDrag& drag) {
+  std::vector<SocketPlace> ends;
+  const auto add = [&](const std::string& name, const std::string& socket, bool input) {
+    const NodePlace* node = findPlace(layout, name);
+    if (const SocketPlace* s = node ? findSocket(*node, socket, input) : nullptr) ends.push_back(*s);
+  };
+  for (const nodes::Link& link : drag.moves) add(link.toNode, link.toSocket, true);
+  if (drag.moves.empty()) add(drag.node, drag.socket, !drag.fromOutput);
+  return ends;
+}
+
+/// The links under way: to the socket they would snap to, else to the pointer; a refusal stands beside the
+/// pointer.
+void drawDraggedLinks(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
+  const Interaction& m = editor.canvas.interaction;
+  const std::string refusal = refusalAt(editor, layout, hit);
+  vec2 loose = view.canvas(m.last);
+  if (refusal.empty() && (hit.kind == Hit::Kind::Input || hit.kind == Hit::Kind::Output))
+    if (const NodePlace* target = findPlace(layout, hit.node))
+      if (const SocketPlace* s = findSocket(*target, hit.socket, hit.kind == Hit::Kind::Input)) loose = s->at;
+  LinkLook look;
+  look.hovered = true;
+  for (const SocketPlace& fixed : fixedEnds(layout, m.link)) {
+    const ImU32 color = refusal.empty() ? socketColor(fixed.type) : palette::kError;
+    if (fixed.input)
+      drawLink(editor.theme, view, loose, fixed.at, color, look);
+    else
+      drawLink(editor.theme, view, fixed.at, loose, color, look);
+  }
+  if (refusal.empty()) return;
+  tooltip(editor.theme, refusal, palette::kError);
+  editor.trace.note("refusal", refusal);
+}
+
+void drawBox(const Interaction& m, ImDrawList* draw) {
+  const vec2 lo = glm::min(m.press, m.last), hi = glm::max(m.press, m.last);
+  draw->AddRectFilled(im(lo), im(hi), faded(palette::kAccent, 0.12f));
+  draw->AddRect(im(lo), im(hi), faded(palette::kAccent, 0.8f));
+}
+
+struct StrokeLook {
+  ImU32 color;
+  const char* verb;
+};
+StrokeLook lookOf(Stroke stroke) {
+  switch (stroke) {
+    case Stroke::Cut:
+      return {palette::kError, "cut"};
+    case Stroke::Mute:
+      return {palette::kWarning, "muted"};
+    case Stroke::Dots:
+      return {palette::kGood, "given a dot"};
+    default:
+      return {palette::kAccent, ""};
+  }
+}
+
+/// The line, the links it crosses in its colour, and a mark where it crosses each.
+void drawStroke(Editor& editor, const CanvasView& view, const Layout& layout) {
+  const Interaction& m = editor.canvas.interaction;
+  const Theme& theme = editor.theme;
+  const StrokeLook look = lookOf(m.stroke);
+  std::vector<vec2> line = m.path;
+  line.push_back(m.last);
+  std::vector<ImVec2> screen(line.size());
+  std::transform(line.begin(), line.end(), screen.begin(), im);
+  const auto count = static_cast<int>(screen.size());
+  if (m.stroke == Stroke::Lasso) {
+    view.draw->AddPolyline(screen.data(), count, faded(look.color, 0.9f), ImDrawFlags_Closed, theme.px(1.5f));
+    return;
+  }
+  for (vec2& p : line) p = view.canvas(p);
+  const std::vector<Crossing> crossed = crossings(layout, shownGraph(editor), line);
+  LinkLook strong;
+  strong.hovered = true;
+  for (const Crossing& c : crossed) {
+    vec2 from, to;
+    nodes::SocketType type;
+    if (linkEnds(layout, c.link, from, to, type)) drawLink(theme, view, from, to, look.color, strong);
+    view.draw->AddCircleFilled(im(view.screen(c.at)), theme.px(5), palette::kCanvas);
+    view.draw->AddCircleFilled(im(view.screen(c.at)), theme.px(3.5f), look.color);
+  }
+  view.draw->AddPolyline(screen.data(), count, look.color, 0, theme.px(2));
+  editor.trace.note("stroke", fmt::format("{} {}", crossed.size(), look.verb));
+}
+
+}  // namespace
+
+bool isPickedUp(const LinkDrag& drag, const nodes::Link& link) {
+  return drag.replaces == link || std::find(drag.moves.begin(), drag.moves.end(), link) != drag.moves.end();
+}
+
+void drawDragFeedback(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
+  const Interaction& m = editor.canvas.interaction;
+  if (m.state == State::DraggingLink) drawDraggedLinks(editor, view, layout, hit);
+  if (m.state == State::BoxSelecting) drawBox(m, view.draw);
+  if (m.state == State::Stroking) drawStroke(editor, view, layout);
+  if (editor.canvas.moving.onto)
+    editor.trace.note("drop link",
+                      editor.canvas.moving.onto->fromNode + " -> " + editor.canvas.moving.onto->toNode);
+}
+
+}  // namespace pileus::editor

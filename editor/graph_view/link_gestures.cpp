@@ -1,0 +1,161 @@
+#include "editor/graph_view/link_gestures.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "editor/editor.h"
+#include "editor/graph_view/path_geometry.h"
+
+namespace pileus::editor {
+namespace {
+
+nodes::Link linkBetween(const LinkDrag& drag, const std::string& node, const std::string& socket) {
+  return drag.fromOutput ? nodes::Link{drag.node, drag.socket, node, socket}
+                         : nodes::Link{node, socket, drag.node, drag.socket};
+}
+
+nodes::Graph graphForDrag(const Editor& editor, const LinkDrag& drag) {
+  nodes::Graph graph = editor.document.graph();
+  if (drag.replaces) graph = nodes::disconnect(graph, *drag.replaces);
+  for (const nodes::Link& link : drag.moves) graph = nodes::disconnect(graph, link);
+  return graph;
+}
+
+/// Does the link under way look for an input?
+bool wantsInput(const LinkDrag& drag) { return drag.fromOutput && drag.moves.empty(); }
+
+std::optional<std::string> refusal(const nodes::Graph& graph, const LinkDrag& drag, const std::string& node,
+                                   const std::string& socket) {
+  if (drag.moves.empty()) return nodes::linkRefusal(graph, linkBetween(drag, node, socket));
+  for (const nodes::Link& link : drag.moves)
+    if (auto reason = nodes::linkRefusal(graph, {node, socket, link.toNode, link.toSocket})) return reason;
+  return std::nullopt;
+}
+
+std::string plural(std::size_t count, const char* one, const char* many) {
+  return count == 1 ? one : fmt::format("{} {}", count, many);
+}
+
+/// All links of an output to another one, each in its place.
+void moveLinks(Editor& editor, const LinkDrag& drag, const Hit& on) {
+  nodes::Graph graph = editor.document.graph();
+  for (nodes::Link& link : graph.links) {
+    if (std::find(drag.moves.begin(), drag.moves.end(), link) == drag.moves.end()) continue;
+    link.fromNode = on.node;
+    link.fromSocket = on.socket;
+  }
+  std::vector<nodes::Link> kept;
+  for (const nodes::Link& link : graph.links)  // the other output may have had one of them already
+    if (std::find(kept.begin(), kept.end(), link) == kept.end()) kept.push_back(link);
+  graph.links = std::move(kept);
+  tryEdit(editor, std::move(graph), "Move " + plural(drag.moves.size(), "link", "links"));
+}
+
+void dropOnCanvas(Editor& editor, const CanvasView& view, const command::LinkDrop& drop) {
+  const LinkDrag& drag = drop.drag;
+  // Dropping picked-off links on nothing removes them; a new one asks which node shall follow.
+  if (drag.replaces || !drag.moves.empty())
+    tryEdit(editor, graphForDrag(editor, drag),
+            "Remove " + plural(std::max<std::size_t>(drag.moves.size(), 1), "link", "links"));
+  else
+    openSearch(editor, drop.at, view.canvas(drop.at), drag);
+}
+
+void cutLinks(Editor& editor, const std::vector<Crossing>& crossed) {
+  nodes::Graph graph = editor.document.graph();
+  for (const Crossing& c : crossed) graph = nodes::disconnect(graph, c.link);
+  tryEdit(editor, std::move(graph), "Cut " + plural(crossed.size(), "link", "links"));
+}
+
+/// Mutes the crossed links, or takes all back when they are muted already.
+void muteLinks(Editor& editor, const std::vector<Crossing>& crossed) {
+  const bool all =
+      std::all_of(crossed.begin(), crossed.end(), [](const Crossing& c) { return c.link.muted; });
+  nodes::Graph graph = editor.document.graph();
+  for (const Crossing& c : crossed) graph = nodes::setMuted(graph, c.link, !all);
+  tryEdit(editor, std::move(graph), (all ? "Unmute " : "Mute ") + plural(crossed.size(), "link", "links"));
+}
+
+}  // namespace
+
+void startLink(Editor& editor, const Layout& layout, const LinkDrag& drag) {
+  Canvas& canvas = editor.canvas;
+  canvas.refusals.clear();
+  canvas.selectedLink.reset();
+  const nodes::Graph graph = graphForDrag(editor, drag);
+  const bool input = wantsInput(drag);
+  for (const NodePlace& node : layout.nodes)
+    for (const SocketPlace& s : node.sockets) {
+      const std::string key = socketKey(node.name, s.id, s.input);
+      if (node.name == drag.node && s.id == drag.socket && s.input != drag.fromOutput)
+        continue;  // the fixed end itself
+      if (s.input != input)
+        canvas.refusals[key] = input ? "Both ends are outputs: a link ends at an input."
+                                     : "Both ends are inputs: a link begins at an output.";
+      else if (auto reason = refusal(graph, drag, node.name, s.id))
+        canvas.refusals[key] = *reason;
+    }
+}
+
+void dropLink(Editor& editor, const CanvasView& view, const command::LinkDrop& drop) {
+  const LinkDrag& drag = drop.drag;
+  const Hit& on = drop.on;
+  if (on.kind == Hit::Kind::Canvas || on.kind == Hit::Kind::Frame) return dropOnCanvas(editor, view, drop);
+  if (on.kind != Hit::Kind::Input && on.kind != Hit::Kind::Output) return;
+  if (on.node == drag.node && on.socket == drag.socket) return;
+  const auto refused =
+      editor.canvas.refusals.find(socketKey(on.node, on.socket, on.kind == Hit::Kind::Input));
+  if (refused != editor.canvas.refusals.end()) return editor.messages.hint(refused->second);
+  if (!drag.moves.empty()) return moveLinks(editor, drag, on);
+  tryEdit(editor, nodes::connect(graphForDrag(editor, drag), linkBetween(drag, on.node, on.socket)), "Link");
+}
+
+Hit snappedToNode(const Editor& editor, const Layout& layout, const Hit& hit) {
+  const LinkDrag& drag = editor.canvas.interaction.link;
+  const NodePlace* place = hit.kind == Hit::Kind::Node ? findPlace(layout, hit.node) : nullptr;
+  if (!place || hit.node == drag.node) return hit;
+  const bool input = wantsInput(drag);
+  const SocketPlace* taken = nullptr;
+  const auto at = [&](const SocketPlace& s) {
+    Hit socket = hit;
+    socket.kind = input ? Hit::Kind::Input : Hit::Kind::Output;
+    socket.socket = s.id;
+    return socket;
+  };
+  for (const SocketPlace& s : place->sockets) {
+    if (s.input != input || editor.canvas.refusals.contains(socketKey(hit.node, s.id, s.input))) continue;
+    const auto& links = editor.document.graph().links;
+    const bool free = !input || s.many || std::none_of(links.begin(), links.end(), [&](const nodes::Link& l) {
+      return l.toNode == hit.node && l.toSocket == s.id;
+    });
+    if (free) return at(s);
+    if (!taken) taken = &s;
+  }
+  return taken ? at(*taken) : hit;
+}
+
+std::string refusalAt(const Editor& editor, const Layout& layout, const Hit& hit) {
+  const LinkDrag& drag = editor.canvas.interaction.link;
+  if (hit.kind == Hit::Kind::Input || hit.kind == Hit::Kind::Output) {
+    const auto found =
+        editor.canvas.refusals.find(socketKey(hit.node, hit.socket, hit.kind == Hit::Kind::Input));
+    return found == editor.canvas.refusals.end() ? std::string() : found->second;
+  }
+  if (hit.kind != Hit::Kind::Node || hit.node == drag.node || !findPlace(layout, hit.node)) return {};
+  return fmt::format("No {} of {} takes this link.", wantsInput(drag) ? "input" : "output", hit.node);
+}
+
+void finishStroke(Editor& editor, const CanvasView& view, const Layout& layout,
+                  const command::StrokeDone& stroke) {
+  std::vector<vec2> line = stroke.points;
+  for (vec2& p : line) p = view.canvas(p);
+  const std::vector<Crossing> crossed = crossings(layout, editor.document.graph(), line);
+  if (crossed.empty()) return editor.messages.hint("The line crosses no link.");
+  if (stroke.kind == Stroke::Cut)
+    cutLinks(editor, crossed);
+  else
+    muteLinks(editor, crossed);
+}
+
+}  // namespace pileus::editor

@@ -8,6 +8,7 @@
 #include "editor/actions.h"
 #include "editor/editor.h"
 #include "editor/files.h"
+#include "editor/look.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/viewport_camera.h"
 #include "renderer/base/file.h"
@@ -108,6 +109,7 @@ void loop(Editor& editor) {
   while (!editor.quit) {
     editor.window->waitEvents(idleSeconds(editor, settling));
     const Stopwatch clock;
+    followLook(editor);
     editor.window->beginFrame();
     settling = editor.window->hadInput() ? 3 : std::max(0, settling - 1);
     drawFrame(editor);
@@ -137,12 +139,16 @@ int runEditor(const EditorOptions& options) {
     log::error("{}", renderer.error().message);
     return static_cast<int>(Code::Gpu);
   }
-  Theme theme = makeTheme((*window)->uiScale());
+  const float forced = Window::forcedScale();
+  const float chosen = forced > 0 ? forced : static_cast<float>(settings.uiScale);
+  Theme theme = makeTheme(chosen > 0 ? chosen : (*window)->screenScale(), settings.theme);
+  (*window)->fontsChanged(theme.scale);
   (*window)->startUi();
   setJobNotifier([] { Window::wake(); });
   {
     Editor editor(**window, std::move(*renderer), std::move(theme));
     editor.settings = settings;
+    editor.uiScale = chosen;
     if (options.file.empty())
       openPreset(editor, "default.json");
     else

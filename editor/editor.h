@@ -25,7 +25,7 @@
 namespace pileus::editor {
 
 /// Panels that have keys of their own; Global ones work everywhere.
-enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Log };
+enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Timeline, Log };
 
 struct Editor {
   Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)
@@ -54,6 +54,7 @@ struct Editor {
   Messages messages;
   UiTrace trace;
   Panel hovered = Panel::Global;  ///< under the pointer: whose keys act
+  float uiScale = 0;  ///< chosen for this session; 0: the screen's
   double frameMs = 0;             ///< of the last frame drawn, evaluation included
   bool quit = false;
 };

@@ -30,6 +30,59 @@ void read(const json& j, const char* key, std::vector<std::string>& list) {
     if (entry.is_string() && list.size() < 32) list.push_back(entry.get<std::string>());
 }
 
+void read(const json& j, std::vector<NamedLayout>& all) {
+  const auto it = j.find("layouts");
+  if (it == j.end() || !it->is_object()) return;
+  for (const auto& [name, panels] : it->items()) {
+    if (name.empty() || !panels.is_object() || all.size() >= 32) continue;
+    NamedLayout layout{name, {}};
+    readLayout(panels, layout.panels);
+    all.push_back(std::move(layout));
+  }
+}
+
+json layoutsJson(const std::vector<NamedLayout>& all) {
+  json j = json::object();
+  for (const NamedLayout& l : all) writeLayout(j[l.name], l.panels);
+  return j;
+}
+
+void read(const json& j, std::vector<FileBookmarks>& all) {
+  const auto it = j.find("bookmarks");
+  if (it == j.end() || !it->is_object()) return;
+  for (const auto& [path, places] : it->items()) {
+    FileBookmarks file{path, {}};
+    if (!places.is_object() || all.size() >= 50) continue;
+    for (const auto& [number, place] : places.items()) {
+      if (number.size() != 1 || number[0] < '1' || number[0] > '9' || !place.is_object()) continue;
+      CanvasPlace p;
+      const auto figure = [&](const char* key, double fallback) {
+        const auto v = place.find(key);
+        return v != place.end() && v->is_number() && std::isfinite(v->get<double>()) ? v->get<double>()
+                                                                                     : fallback;
+      };
+      p.center = {figure("x", 0), figure("y", 0)};
+      p.level = static_cast<int>(std::clamp(figure("zoom", 0), 0.0, 1000.0));
+      read(place, "scope", p.scope);
+      file.places[static_cast<std::size_t>(number[0] - '1')] = std::move(p);
+    }
+    all.push_back(std::move(file));
+  }
+}
+
+json bookmarksJson(const std::vector<FileBookmarks>& all) {
+  json j = json::object();
+  for (const FileBookmarks& file : all) {
+    json places = json::object();
+    for (std::size_t i = 0; i < file.places.size(); ++i)
+      if (const auto& p = file.places[i])
+        places[std::to_string(i + 1)] = {
+            {"x", p->center.x}, {"y", p->center.y}, {"zoom", p->level}, {"scope", p->scope}};
+    if (!file.path.empty() && !places.empty()) j[file.path] = std::move(places);
+  }
+  return j;
+}
+
 }  // namespace
 
 void remember(std::vector<std::string>& list, const std::string& entry, std::size_t limit) {
@@ -47,37 +100,37 @@ Settings settingsFromText(std::string_view text) {
     s.window.x = static_cast<int>(std::clamp((*it)[0].get<double>(), 720.0, 16384.0));
     s.window.y = static_cast<int>(std::clamp((*it)[1].get<double>(), 480.0, 16384.0));
   }
-  read(j, "viewportShare", s.viewportShare, 0.15, 0.85);
-  read(j, "parametersWidth", s.parametersWidth, 240, 900);
-  read(j, "logHeight", s.logHeight, 60, 800);
-  read(j, "scopeWidth", s.scopeWidth, 280, 1200);
-  read(j, "labHeight", s.labHeight, 160, 1000);
+  readLayout(j, s);
+  if (const auto it = j.find("theme"); it != j.end() && it->is_string())
+    s.theme = enumFromId<Appearance>(it->get<std::string>()).value_or(s.theme);
+  read(j, "uiScale", s.uiScale, 0, 4);
+  if (s.uiScale != 0) s.uiScale = std::max(s.uiScale, 0.5);
+  read(j, s.layouts);
   read(j, "viewportResolution", s.viewportResolution, 0.125, 2);
   read(j, "showTimes", s.showTimes);
-  read(j, "showLog", s.showLog);
-  read(j, "showScope", s.showScope);
-  read(j, "showLab", s.showLab);
+  read(j, s.bookmarks);
+  read(j, "recentCommands", s.recentCommands);
   read(j, "recentFiles", s.recentFiles);
   read(j, "recentNodes", s.recentNodes);
   read(j, "recentFolders", s.recentFolders);
+  read(j, "folderBookmarks", s.folderBookmarks);
   return s;
 }
 
 std::string settingsText(const Settings& s) {
-  const json j = {{"window", {s.window.x, s.window.y}},
-                  {"viewportShare", s.viewportShare},
-                  {"parametersWidth", s.parametersWidth},
-                  {"logHeight", s.logHeight},
-                  {"scopeWidth", s.scopeWidth},
-                  {"labHeight", s.labHeight},
-                  {"viewportResolution", s.viewportResolution},
-                  {"showTimes", s.showTimes},
-                  {"showLog", s.showLog},
-                  {"showScope", s.showScope},
-                  {"showLab", s.showLab},
-                  {"recentFiles", s.recentFiles},
-                  {"recentNodes", s.recentNodes},
-                  {"recentFolders", s.recentFolders}};
+  json j = {{"theme", enumId(s.theme)},
+            {"uiScale", s.uiScale},
+            {"layouts", layoutsJson(s.layouts)},
+            {"recentCommands", s.recentCommands},
+            {"viewportResolution", s.viewportResolution},
+            {"showTimes", s.showTimes},
+            {"bookmarks", bookmarksJson(s.bookmarks)},
+            {"recentFiles", s.recentFiles},
+            {"recentNodes", s.recentNodes},
+            {"recentFolders", s.recentFolders},
+            {"folderBookmarks", s.folderBookmarks}};
+  writeLayout(j, s);
+  if (s.window.x > 0) j["window"] = {s.window.x, s.window.y};
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

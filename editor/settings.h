@@ -5,26 +5,27 @@
 #include <string>
 #include <vector>
 
+#include "editor/appearance.h"
+#include "editor/bookmarks.h"
+#include "editor/panel_layout.h"
 #include "renderer/base/math.h"
 #include "renderer/base/result.h"
 
 namespace pileus::editor {
 
-struct Settings {
-  ivec2 window{1440, 900};
-  double viewportShare = 0.56;    ///< of the height that viewport and graph divide
-  double parametersWidth = 340;   ///< design pixels
-  double logHeight = 160;         ///< design pixels
-  double viewportResolution = 1;  ///< rendered pixels per panel pixel
-  bool showTimes = false;         ///< milliseconds on nodes
-  double scopeWidth = 420;        ///< design pixels
-  double labHeight = 300;         ///< design pixels
-  bool showLog = false;
-  bool showScope = false;
-  bool showLab = false;
-  std::vector<std::string> recentFiles;    ///< absolute, newest first
-  std::vector<std::string> recentNodes;    ///< node type ids, newest first
-  std::vector<std::string> recentFolders;  ///< of the file browser, newest first
+struct Settings : PanelLayout {
+  ivec2 window{0};  ///< 0: by the screen
+  Appearance theme = Appearance::Dark;
+  double uiScale = 0;                       ///< 0: the screen's
+  double viewportResolution = 1;            ///< rendered pixels per panel pixel
+  bool showTimes = false;                   ///< milliseconds on nodes
+  std::vector<NamedLayout> layouts;         ///< the user's own
+  std::vector<std::string> recentCommands;  ///< action ids run from the palette, newest first
+  std::vector<FileBookmarks> bookmarks;     ///< of the graph canvas, most recently marked file first
+  std::vector<std::string> recentFiles;     ///< absolute, newest first
+  std::vector<std::string> recentNodes;     ///< node type ids, newest first
+  std::vector<std::string> recentFolders;   ///< of the file browser, newest first
+  std::vector<std::string> folderBookmarks; ///< of the file browser, as added
 
   bool operator==(const Settings&) const = default;
 };

@@ -12,14 +12,18 @@ namespace {
 
 constexpr float kCanvasText = 16;  // canvas units of a node's text line
 
-const ImWchar kTextRange[] = {0x20,   0x7e,   0xa0,   0xff,   0x131,  0x131,  0x394,  0x394,  0x3c0,  0x3c4,  0x2010,
-                              0x2027, 0x2032, 0x203a, 0x2070, 0x207f, 0x2190, 0x2193,
+const ImWchar kTextRange[] = {0x20,   0x7e,   0xa0,   0xff,   0x131,  0x131,  0x394,  0x394,  0x3c0,
+                              0x3c4,  0x2010, 0x2027, 0x2032, 0x203a, 0x2070, 0x207f, 0x2190, 0x2193,
                               0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0};
 const ImWchar kCanvasRange[] = {0x20, 0x7e, 0xb0, 0xb7, 0xc0, 0xff, 0x2010, 0x2026, 0x2212, 0x2212, 0};
-const ImWchar kIconRange[] = {0xf000, 0xf002, 0xf00c, 0xf00d, 0xf015, 0xf017, 0xf021, 0xf021, 0xf030,
-                              0xf030, 0xf03a, 0xf03e, 0xf042, 0xf042, 0xf04c, 0xf04c, 0xf05a, 0xf05e,
-                              0xf062, 0xf06a, 0xf071, 0xf07c, 0xf0c2, 0xf0c2, 0xf0e2, 0xf0e2, 0xf108,
-                              0xf108, 0xf185, 0xf185, 0xf1b2, 0xf1b2, 0xf1de, 0xf1ec, 0};
+const ImWchar kIconRange[] = {
+    0xf002, 0xf002, 0xf00c, 0xf00d, 0xf011, 0xf011, 0xf015, 0xf017, 0xf01e, 0xf01e, 0xf021, 0xf021, 0xf02e,
+    0xf030, 0xf03a, 0xf03a, 0xf03e, 0xf042, 0xf04c, 0xf04c, 0xf054, 0xf054, 0xf059, 0xf05b, 0xf05e, 0xf062,
+    0xf065, 0xf06a, 0xf06e, 0xf071, 0xf07b, 0xf07c, 0xf080, 0xf080, 0xf08b, 0xf090, 0xf096, 0xf096, 0xf0b0,
+    0xf0b0, 0xf0c2, 0xf0c7, 0xf0db, 0xf0db, 0xf0e2, 0xf0e2, 0xf0ea, 0xf0ea, 0xf0f3, 0xf0f3, 0xf108, 0xf108,
+    0xf111, 0xf111, 0xf11c, 0xf11c, 0xf120, 0xf120, 0xf127, 0xf127, 0xf12d, 0xf12d, 0xf142, 0xf142, 0xf185,
+    0xf186, 0xf1b2, 0xf1b2, 0xf1da, 0xf1da, 0xf1de, 0xf1de, 0xf1ec, 0xf1ec, 0xf1f8, 0xf1f8, 0xf1fb, 0xf1fc,
+    0xf201, 0xf201, 0xf247, 0xf248, 0xf24d, 0xf24d, 0};
 
 std::string_view fontBytes(std::string_view ending) {
   for (const EmbeddedFile& file : embedded_fonts())
@@ -55,7 +59,7 @@ ImFont* addFont(std::string_view ending, float pixels, const ImWchar* range, boo
   return font;
 }
 
-void setStyle(const Theme& theme) {
+void applyStyle(const Theme& theme) {
   ImGuiStyle& s = ImGui::GetStyle();
   s = ImGuiStyle();
   s.WindowPadding = {theme.space(3), theme.space(3)};
@@ -97,55 +101,71 @@ void setStyle(const Theme& theme) {
   set(ImGuiCol_TitleBgActive, palette::kBar);
   set(ImGuiCol_MenuBarBg, palette::kBar);
   set(ImGuiCol_ScrollbarBg, 0);
-  set(ImGuiCol_ScrollbarGrab, IM_COL32(66, 72, 82, 255));
-  set(ImGuiCol_ScrollbarGrabHovered, IM_COL32(84, 91, 103, 255));
-  set(ImGuiCol_ScrollbarGrabActive, IM_COL32(98, 106, 119, 255));
+  set(ImGuiCol_ScrollbarGrab, palette::kScroll);
+  set(ImGuiCol_ScrollbarGrabHovered, palette::kScrollHover);
+  set(ImGuiCol_ScrollbarGrabActive, palette::kScrollActive);
   set(ImGuiCol_CheckMark, palette::kAccent);
   set(ImGuiCol_SliderGrab, palette::kAccent);
   set(ImGuiCol_SliderGrabActive, palette::kAccent);
-  set(ImGuiCol_Button, IM_COL32(48, 53, 62, 255));
-  set(ImGuiCol_ButtonHovered, IM_COL32(59, 65, 76, 255));
+  set(ImGuiCol_Button, palette::kButton);
+  set(ImGuiCol_ButtonHovered, palette::kButtonHover);
   set(ImGuiCol_ButtonActive, palette::kAccentDim);
   set(ImGuiCol_Header, palette::kAccentDim);
-  set(ImGuiCol_HeaderHovered, IM_COL32(54, 66, 80, 255));
+  set(ImGuiCol_HeaderHovered, palette::kRowHover);
   set(ImGuiCol_HeaderActive, palette::kAccentDim);
   set(ImGuiCol_Separator, palette::kLine);
   set(ImGuiCol_SeparatorHovered, palette::kAccent);
   set(ImGuiCol_SeparatorActive, palette::kAccent);
-  set(ImGuiCol_TextSelectedBg, IM_COL32(62, 104, 144, 255));
+  set(ImGuiCol_TextSelectedBg, palette::kTextSelected);
   set(ImGuiCol_NavHighlight, palette::kAccent);
-  set(ImGuiCol_ModalWindowDimBg, IM_COL32(8, 9, 11, 150));
+  set(ImGuiCol_ModalWindowDimBg, palette::kDim);
   set(ImGuiCol_PlotHistogram, palette::kAccent);
   set(ImGuiCol_TableBorderLight, palette::kLine);
-  set(ImGuiCol_TableRowBgAlt, IM_COL32(255, 255, 255, 6));
+  set(ImGuiCol_TableRowBgAlt, palette::kRowAlt);
 }
 
 struct Category {
   std::string_view name;
-  ImU32 color;
+  const ImU32* color;
   const char* icon;
 };
+bool lightTheme = false;  // what the palette was last set to
+
 constexpr Category kCategories[] = {
-    {"Volume", IM_COL32(55, 94, 128, 255), icon::kCloud},
-    {"Light", IM_COL32(140, 106, 43, 255), icon::kSun},
-    {"Shadow", IM_COL32(96, 73, 134, 255), icon::kAdjust},
-    {"Camera", IM_COL32(52, 112, 84, 255), icon::kCamera},
-    {"Solid", IM_COL32(118, 84, 62, 255), icon::kCube},
-    {"Render", IM_COL32(139, 68, 68, 255), icon::kPicture},
-    {"Output", IM_COL32(124, 62, 92, 255), icon::kDesktop},
-    {"Image", IM_COL32(128, 78, 58, 255), icon::kPicture},
-    {"Math", IM_COL32(76, 86, 99, 255), icon::kMath},
-    {"Time", IM_COL32(66, 98, 98, 255), icon::kClock},
+    {"Volume", &palette::kVolume, icon::kCloud},      {"Light", &palette::kLight, icon::kSun},
+    {"Shadow", &palette::kShadowNode, icon::kAdjust}, {"Camera", &palette::kCamera, icon::kCamera},
+    {"Solid", &palette::kSolid, icon::kCube},         {"Render", &palette::kRender, icon::kPicture},
+    {"Output", &palette::kOutput, icon::kDesktop},    {"Image", &palette::kImage, icon::kPicture},
+    {"Math", &palette::kMath, icon::kMath},           {"Time", &palette::kTime, icon::kClock},
 };
 
 }  // namespace
 
+ImU32 headerColor(ImU32 chosen) {
+  // Dark ink needs a light ground: the chosen colour as a tint.
+  return lightTheme ? mixed(chosen, palette::kHighlight, 0.62f) : chosen;
+}
+
+void setPalette(Appearance appearance) {
+  lightTheme = appearance == Appearance::Light;
+#define COLOR(name, dark, light) palette::name = palette::color(lightTheme ? light : dark);
+#include "editor/palette.inc"
+#undef COLOR
+}
+
 float Theme::px(float design) const { return std::round(design * scale); }
 
-Theme makeTheme(float scale) {
+void setAppearance(Theme& theme, Appearance appearance) {
+  theme.appearance = appearance;
+  setPalette(appearance);
+  applyStyle(theme);
+}
+
+Theme makeTheme(float scale, Appearance appearance) {
   Theme theme;
   theme.scale = scale;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   atlas.TexDesiredWidth = 2048;
   theme.body = addFont("Inter-Regular.otf", theme.px(16), kTextRange, true);
@@ -162,7 +182,7 @@ Theme makeTheme(float scale) {
     theme.zoomLevels.push_back({baked / kCanvasText, addFont("Inter-Regular.otf", baked, kCanvasRange, true),
                                 addFont("Inter-SemiBold.otf", baked, kCanvasRange, true)});
   }
-  setStyle(theme);
+  setAppearance(theme, appearance);
   return theme;
 }
 
@@ -170,33 +190,33 @@ ImU32 socketColor(nodes::SocketType type) {
   using T = nodes::SocketType;
   switch (type) {
     case T::Volume:
-      return IM_COL32(122, 182, 232, 255);
+      return palette::kVolumeSocket;
     case T::Light:
-      return IM_COL32(244, 200, 92, 255);
+      return palette::kLightSocket;
     case T::Metric:
-      return IM_COL32(184, 146, 232, 255);
+      return palette::kMetricSocket;
     case T::Camera:
-      return IM_COL32(112, 204, 156, 255);
+      return palette::kCameraSocket;
     case T::Solid:
-      return IM_COL32(204, 152, 116, 255);
+      return palette::kSolidSocket;
     case T::Image:
-      return IM_COL32(236, 124, 120, 255);
+      return palette::kImageSocket;
     case T::Number:
-      return IM_COL32(164, 174, 186, 255);
+      return palette::kNumberSocket;
     case T::Vector:
-      return IM_COL32(142, 158, 244, 255);
+      return palette::kVectorSocket;
     case T::Color:
-      return IM_COL32(234, 164, 206, 255);
+      return palette::kColorSocket;
     case T::Text:
-      return IM_COL32(160, 210, 202, 255);
+      return palette::kTextSocket;
   }
   return palette::kTextDim;
 }
 
 ImU32 categoryColor(std::string_view category) {
   for (const Category& c : kCategories)
-    if (c.name == category) return c.color;
-  return IM_COL32(78, 84, 94, 255);
+    if (c.name == category) return *c.color;
+  return palette::kOther;
 }
 
 const char* categoryIcon(std::string_view category) {

@@ -5,37 +5,20 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/appearance.h"
 #include "nodes/value.h"
 
 namespace pileus::editor {
 
 namespace palette {
-inline constexpr ImU32 kBackground = IM_COL32(18, 20, 24, 255);
-inline constexpr ImU32 kPanel = IM_COL32(27, 30, 35, 255);
-inline constexpr ImU32 kBar = IM_COL32(32, 35, 41, 255);
-inline constexpr ImU32 kPopup = IM_COL32(36, 40, 47, 252);
-inline constexpr ImU32 kField = IM_COL32(17, 19, 23, 255);
-inline constexpr ImU32 kFieldHover = IM_COL32(23, 26, 31, 255);
-inline constexpr ImU32 kFieldFill = IM_COL32(44, 72, 99, 255);
-inline constexpr ImU32 kFieldFillHover = IM_COL32(54, 88, 121, 255);
-inline constexpr ImU32 kLine = IM_COL32(48, 53, 61, 255);
-inline constexpr ImU32 kCanvas = IM_COL32(22, 24, 29, 255);
-inline constexpr ImU32 kGrid = IM_COL32(31, 34, 40, 255);
-inline constexpr ImU32 kGridStrong = IM_COL32(37, 41, 48, 255);
-inline constexpr ImU32 kNode = IM_COL32(42, 46, 54, 255);
-inline constexpr ImU32 kNodeBorder = IM_COL32(12, 13, 16, 255);
-inline constexpr ImU32 kText = IM_COL32(218, 222, 228, 255);
-inline constexpr ImU32 kTextStrong = IM_COL32(245, 247, 250, 255);
-inline constexpr ImU32 kTextDim = IM_COL32(151, 159, 171, 255);
-inline constexpr ImU32 kTextFaint = IM_COL32(108, 116, 128, 255);
-inline constexpr ImU32 kAccent = IM_COL32(98, 165, 224, 255);
-inline constexpr ImU32 kAccentDim = IM_COL32(52, 86, 118, 255);
-inline constexpr ImU32 kSelect = IM_COL32(242, 183, 88, 255);
-inline constexpr ImU32 kWarning = IM_COL32(232, 177, 79, 255);
-inline constexpr ImU32 kError = IM_COL32(236, 112, 107, 255);
-inline constexpr ImU32 kErrorBack = IM_COL32(74, 34, 36, 255);
-inline constexpr ImU32 kWarningBack = IM_COL32(66, 52, 26, 255);
-inline constexpr ImU32 kGood = IM_COL32(116, 196, 144, 255);
+/// 0xRRGGBBAA as ImGui keeps it.
+constexpr ImU32 color(ImU32 rgba) {
+  return IM_COL32(rgba >> 24, (rgba >> 16) & 255, (rgba >> 8) & 255, rgba & 255);
+}
+// Variables that setPalette() changes: never copy them into something that outlives a frame.
+#define COLOR(name, dark, light) inline ImU32 name = color(dark);
+#include "editor/palette.inc"
+#undef COLOR
 }  // namespace palette
 
 /// Canvas zoom is always one of these levels, so that each text size is baked and sharp.
@@ -47,6 +30,7 @@ struct ZoomLevel {
 
 struct Theme {
   float scale = 1;
+  Appearance appearance = Appearance::Dark;
   ImFont* body = nullptr;             ///< text, 13 px em
   ImFont* strong = nullptr;           ///< the same, semi-bold
   ImFont* title = nullptr;            ///< headings
@@ -61,13 +45,19 @@ struct Theme {
   float space(float steps = 1) const { return px(4 * steps); }
 };
 
-/// Loads fonts into ImGui's atlas and sets its style. Call once, after the ImGui context exists and before
-/// the first frame.
-Theme makeTheme(float scale);
+/// Loads fonts into ImGui's atlas, emptied before, and sets its style. Between frames, after the ImGui
+/// context exists; textures made from the atlas are the caller's.
+Theme makeTheme(float scale, Appearance appearance);
+/// Sets the variables of palette::, and nothing else.
+void setPalette(Appearance appearance);
+/// The same fonts in another appearance. Between frames.
+void setAppearance(Theme& theme, Appearance appearance);
 
 ImU32 socketColor(nodes::SocketType type);
 /// Header colour and icon of a node category; unknown categories are grey.
 ImU32 categoryColor(std::string_view category);
+/// A colour the user gave a node, so that a title on it reads in this theme.
+ImU32 headerColor(ImU32 chosen);
 const char* categoryIcon(std::string_view category);
 /// `color` with its alpha multiplied.
 ImU32 faded(ImU32 color, float alpha);

@@ -20,15 +20,24 @@ std::string lastError;
 
 void onError(int, const char* text) { lastError = text ? text : ""; }
 
-float chooseScale(GLFWwindow* window) {
-  if (const char* text = std::getenv("PILEUS_UI_SCALE")) {
-    const float value = std::strtof(text, nullptr);
-    if (value >= 0.5f && value <= 4.0f) return value;
-    log::warn("PILEUS_UI_SCALE is {}; a number from 0.5 to 4 is expected.", text);
-  }
+float contentScale(GLFWwindow* window) {
   float x = 1, y = 1;
   glfwGetWindowContentScale(window, &x, &y);
   return std::clamp(std::round(std::max(x, y) * 4) / 4, 1.0f, 4.0f);
+}
+
+/// Never larger than the screen: a remembered size may come from another one.
+ivec2 fittingSize(ivec2 size) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return size.x > 0 ? size : ivec2(1440, 900);
+  int x = 0, y = 0, width = 0, height = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+  if (size.x <= 0 || size.y <= 0) {
+    float sx = 1, sy = 1;
+    glfwGetMonitorContentScale(monitor, &sx, &sy);
+    size = ivec2(vec2(1440, 900) * glm::clamp(vec2(sx, sy), 1.0f, 4.0f));
+  }
+  return width > 0 && height > 0 ? glm::min(size, ivec2(width, height)) : size;
 }
 
 /// Letters by what the key prints, so that Ctrl+Z is where the layout has it.
@@ -52,17 +61,11 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 s
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "pileus");
   auto window = std::unique_ptr<Window>(new Window());
-  // Never larger than the screen: a remembered size may come from another one.
-  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
-    int x = 0, y = 0, width = 0, height = 0;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
-    if (width > 0 && height > 0) size = glm::min(size, ivec2(width, height));
-  }
+  size = fittingSize(size);
   window->window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!window->window_) {
     const std::string reason = lastError;
@@ -73,7 +76,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 s
   glfwMakeContextCurrent(window->window_);
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(window->window_, 720, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
-  window->scale_ = chooseScale(window->window_);
+  window->scale_ = contentScale(window->window_);
   window->title_ = title;
 
   IMGUI_CHECKVERSION();
@@ -81,7 +84,6 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 s
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // the editor keeps its own settings
   io.ConfigWindowsMoveFromTitleBarOnly = true;
-  io.MouseDragThreshold = 4 * window->scale_;
   window->installCallbacks();
   ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
   return window;
@@ -130,9 +132,29 @@ void Window::installCallbacks() {
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w)->resized_ = true; });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w)->resized_ = true; });
   glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { of(w)->resized_ = true; });
+  glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) {
+    of(w)->scale_ = contentScale(w);
+    of(w)->resized_ = true;
+  });
   glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
     for (int i = 0; i < count; ++i) of(w)->dropped_.emplace_back(paths[i]);
   });
+}
+
+float Window::forcedScale() {
+  const char* text = std::getenv("PILEUS_UI_SCALE");
+  if (!text) return 0;
+  const float value = std::strtof(text, nullptr);
+  if (value >= 0.5f && value <= 4.0f) return value;
+  log::warn("PILEUS_UI_SCALE is {}; a number from 0.5 to 4 is expected.", text);
+  return 0;
+}
+
+void Window::fontsChanged(float scale) {
+  ImGui::GetIO().MouseDragThreshold = 4 * scale;
+  if (!uiStarted_) return;
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void Window::startUi() {
@@ -209,13 +231,21 @@ void Window::beginFrame() {
   ImGuiIO& io = ImGui::GetIO();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // The interface is laid out in pixels of the frame buffer, so that fonts are as sharp as the screen is.
+  ivec2 pixels(0), units(0);
+  glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
+  glfwGetWindowSize(window_, &units.x, &units.y);
+  pixelRatio_ = dvec2(glm::max(pixels, ivec2(1))) / dvec2(glm::max(units, ivec2(1)));
+  io.DisplaySize = {static_cast<float>(pixels.x), static_cast<float>(pixels.y)};
+  io.DisplayFramebufferScale = {1, 1};
   keys_.clear();
   keysDownNow_.clear();
   clicked_ = wheeled_ = moved_ = false;
   hadInput_ = !queue_.empty() || resized_ || !dropped_.empty();
   resized_ = false;
   while (!queue_.empty() && feed(queue_.front())) queue_.pop_front();
-  io.MousePos = {static_cast<float>(mouse_.x), static_cast<float>(mouse_.y)};
+  const dvec2 pointer = mouse_ * pixelRatio_;
+  io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};
   if (mouse_.x < -1e8) io.MousePos = {-FLT_MAX, -FLT_MAX};
   for (int i = 0; i < 5; ++i) io.MouseDown[i] = buttons_[i];
   const auto down = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
@@ -237,6 +267,7 @@ void Window::endFrame(unsigned clearColor) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window_);
+  ++frames_;
 }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) != 0; }

@@ -25,7 +25,7 @@ struct KeyPress {
 
 struct InputEvent {
   enum class Kind { Move, Button, Wheel, Key, Char, Focus } kind = Kind::Move;
-  dvec2 at{0};   ///< Move: window pixels; Wheel: offsets
+  dvec2 at{0};   ///< Move: window units; Wheel: offsets
   int code = 0;  ///< button, key or code point
   bool down = false, repeat = false;
   int mods = 0;
@@ -34,14 +34,16 @@ struct InputEvent {
 class Window {
  public:
   /// Error (Gpu) when no OpenGL 4.5 core window can be made; says what failed. Makes the context current and
-  /// creates ImGui's.
+  /// creates ImGui's. A size of 0: by the screen.
   static Result<std::unique_ptr<Window>> create(const std::string& title, ivec2 size);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  float uiScale() const { return scale_; }  ///< $PILEUS_UI_SCALE, else the monitor's
-  void startUi();  ///< after fonts are chosen: creates the GL objects of the interface
+  float screenScale() const { return scale_; }  ///< what the screen asks for, in steps of a quarter
+  static float forcedScale();                   ///< $PILEUS_UI_SCALE; 0 = not set
+  void startUi();                  ///< after fonts are chosen: creates the GL objects of the interface
+  void fontsChanged(float scale);  ///< between frames: the atlas holds other fonts now, for this UI scale
 
   /// Sleeps until there is an event or `seconds` have passed; 0 polls.
   void waitEvents(double seconds);
@@ -52,6 +54,7 @@ class Window {
 
   void beginFrame();                   ///< feeds events, starts the ImGui frame
   void endFrame(unsigned clearColor);  ///< draws it and swaps
+  unsigned long long framesDrawn() const { return frames_; }
   std::span<const KeyPress> keys() const { return keys_; }
   std::vector<std::filesystem::path> takeDroppedFiles() { return std::exchange(dropped_, {}); }
 
@@ -68,7 +71,10 @@ class Window {
   float scale_ = 1;
   bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false, moved_ = false;
   bool resized_ = true;
+  dvec2 pixelRatio_{
+      1};  ///< pixels per unit of the pointer's coordinates: not 1 where the system scales windows
   dvec2 mouse_{-1e9};
+  unsigned long long frames_ = 0;
   bool buttons_[5] = {};
   std::deque<InputEvent> queue_;
   std::vector<KeyPress> keys_;

@@ -23,12 +23,12 @@ void drawBody(const Theme& theme, const CanvasView& view, const NodePlace& place
   for (int i = 3; i >= 1; --i) {
     const auto grow = static_cast<float>(i) * theme.scale;
     draw->AddRectFilled({lo.x - grow, lo.y - grow + 2 * theme.scale},
-                        {hi.x + grow, hi.y + grow + 2 * theme.scale}, IM_COL32(0, 0, 0, 28), r + grow);
+                        {hi.x + grow, hi.y + grow + 2 * theme.scale}, palette::kShadow, r + grow);
   }
   draw->AddRectFilled(im(lo), im(hi),
-                      sunk(look.hovered ? mixed(palette::kNode, IM_COL32_WHITE, 0.03f) : palette::kNode), r);
+                      sunk(look.hovered ? mixed(palette::kNode, palette::kHighlight, 0.03f) : palette::kNode), r);
   draw->AddRectFilled(im(lo), {hi.x, bottom},
-                      sunk(look.hovered ? mixed(header, IM_COL32_WHITE, 0.08f) : header), r,
+                      sunk(look.hovered ? mixed(header, palette::kHighlight, 0.08f) : header), r,
                       ImDrawFlags_RoundCornersTop);
   const bool failed = look.status && look.status->state == nodes::NodeState::Failed;
   const ImU32 border = look.selected ? palette::kSelect : failed ? palette::kError : palette::kNodeBorder;
@@ -98,7 +98,7 @@ void drawSockets(const Theme& theme, const CanvasView& view, const NodePlace& pl
     const vec2 at = view.screen(s.at);
     const bool hovered = look.hoveredSocket == s.id && look.hoveredInput == s.input;
     const bool open = !look.accepts || look.accepts(s);
-    const ImU32 color = !open     ? IM_COL32(74, 79, 88, 255)
+    const ImU32 color = !open     ? palette::kSocketOff
                         : s.known ? socketColor(s.type)
                                   : palette::kTextFaint;
     const float radius = hovered && open ? r * 1.35f : r;
@@ -131,7 +131,7 @@ void drawProgress(const CanvasView& view, const NodePlace& place, const nodes::N
   if (status.state != nodes::NodeState::Pending && status.state != nodes::NodeState::Partial) return;
   const float y = view.screen(place.min).y + view.px(place.header), height = std::max(view.px(3), 1.0f);
   const float x0 = view.screen(place.min).x, x1 = view.screen(place.max).x;
-  view.draw->AddRectFilled({x0, y}, {x1, y + height}, IM_COL32(0, 0, 0, 120));
+  view.draw->AddRectFilled({x0, y}, {x1, y + height}, palette::kTrack);
   const auto t = static_cast<float>(std::clamp(status.fraction, 0.0, 1.0));
   view.draw->AddRectFilled({x0, y}, {x0 + (x1 - x0) * t, y + height}, palette::kAccent);
 }
@@ -169,7 +169,7 @@ float footerHeight(const nodes::NodeStatus& s) {
 void drawNode(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look) {
   const vec2 margin = {20, 40};
   if (!view.visible(view.screen(place.min - margin), view.screen(place.max + margin))) return;
-  const ImU32 header = place.type ? categoryColor(place.type->category) : IM_COL32(96, 60, 60, 255);
+  const ImU32 header = place.type ? categoryColor(place.type->category) : palette::kNodeUnknown;
   drawBody(theme, view, place, look, header);
   if (view.level.text)
     drawHeader(theme, view, place, look);

@@ -9,6 +9,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/fuzzy.h"
+#include "editor/graph_view/graph_edits.h"
 #include "editor/graph_view/layout.h"
 #include "editor/icons.h"
 
@@ -36,6 +37,13 @@ void addChosen(Editor& editor, const SearchItem& item) {
     if (drag.replaces) added = nodes::disconnect(*added, *drag.replaces);
     added = nodes::connect(*added, link);
   }
+  if (added && !search.link && editor.canvas.selectedLink) {
+    // A new node goes into the selected link where it fits.
+    if (Result<nodes::Graph> inserted = insertOnLink(*added, *editor.canvas.selectedLink, name)) {
+      added = std::move(inserted);
+      label = "Insert " + name;
+    }
+  }
   if (!tryEdit(editor, std::move(added), label)) return;
   editor.document.select({name});
   remember(editor.settings.recentNodes, item.type->id);
@@ -60,7 +68,7 @@ void drawRow(Editor& editor, const SearchItem& item, int row, bool chosen, float
   if (chosen) draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccentDim, theme.px(4));
   draw->AddRectFilled({at.x + theme.px(6), at.y + theme.px(8)},
                       {at.x + theme.px(9), at.y + height - theme.px(8)},
-                      mixed(categoryColor(item.type->category), IM_COL32_WHITE, 0.2f), theme.px(2));
+                      mixed(categoryColor(item.type->category), palette::kHighlight, 0.2f), theme.px(2));
   const float x = at.x + theme.space(4), room = width - theme.space(6);
   const float categoryWidth = textWidth(theme.small, item.type->category);
   drawText(draw, theme.body, {x, at.y + theme.px(3)}, palette::kTextStrong, item.label,

@@ -12,7 +12,6 @@
 namespace pileus::editor {
 namespace {
 
-constexpr ImU32 kChip = IM_COL32(16, 18, 22, 205);
 
 ImTextureID textureId(unsigned texture) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
@@ -71,7 +70,7 @@ void label(Editor& editor, vec2 lo, vec2 hi, const std::string& text, bool right
   const vec2 size(std::min(textWidth(theme.small, text), room), theme.small->FontSize);
   const vec2 at(right ? hi.x - theme.space(2) - 2 * pad.x - size.x : lo.x + theme.space(2), lo.y + theme.space(2));
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), kChip, theme.px(4));
+  draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), palette::kChip, theme.px(4));
   drawText(draw, theme.small, at + pad, palette::kText, text, size.x + 1);
   editor.trace.note(trace, text);
 }
@@ -82,7 +81,7 @@ void drawPart(vec2 lo, vec2 hi, unsigned texture, unsigned instead, float from, 
   const vec2 a(glm::mix(lo.x, hi.x, from), lo.y), b(glm::mix(lo.x, hi.x, to), hi.y);
   if (to <= from) return;
   if (texture || instead) draw->AddImage(textureId(texture ? texture : instead), im(a), im(b), {from, 0}, {to, 1});
-  if (!texture) draw->AddRectFilled(im(a), im(b), IM_COL32(16, 18, 22, 150));
+  if (!texture) draw->AddRectFilled(im(a), im(b), palette::kVeil);
 }
 
 /// The line follows the pointer while its grip is held.
@@ -108,9 +107,9 @@ void drawWipe(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float x = std::round(glm::mix(lo.x, hi.x, at)), y = std::round(0.5f * (lo.y + hi.y)), r = theme.px(9), a = theme.px(3);
   const bool held = editor.compare.draggingWipe;
-  draw->AddRectFilled({x - theme.px(1), lo.y}, {x + theme.px(1), hi.y}, held ? palette::kAccent : IM_COL32(235, 238, 242, 200));
-  draw->AddCircleFilled({x, y}, r + 1, IM_COL32(16, 18, 22, 120));
-  draw->AddCircleFilled({x, y}, r, held ? palette::kAccent : IM_COL32(235, 238, 242, 230));
+  draw->AddRectFilled({x - theme.px(1), lo.y}, {x + theme.px(1), hi.y}, held ? palette::kAccent : palette::kHandle);
+  draw->AddCircleFilled({x, y}, r + 1, palette::kHandleEdge);
+  draw->AddCircleFilled({x, y}, r, held ? palette::kAccent : palette::kHandle);
   for (const float side : {-1.0f, 1.0f})
     draw->AddTriangleFilled({x + side * (a + theme.px(3)), y}, {x + side * a * 0.6f, y - a}, {x + side * a * 0.6f, y + a}, palette::kPanel);
   editor.trace.rect("compare/line", {x - theme.px(2), lo.y}, {x + theme.px(2), hi.y});
@@ -193,7 +192,7 @@ void drawComparison(Editor& editor, vec2 lo, vec2 hi, vec2 roomMin, vec2 roomMax
   if (mode.layout == CompareLayout::SideBySide)
     drawHalves(editor, roomMin, roomMax, (hi.x - lo.x) / std::max(hi.y - lo.y, 1.0f));
   else
-    draw->AddRectFilled(im(lo), im(hi), IM_COL32_BLACK);
+    draw->AddRectFilled(im(lo), im(hi), palette::kPictureEmpty);
   if (mode.layout == CompareLayout::Wipe) drawWipe(editor, lo, hi, hovered);
   if (mode.layout == CompareLayout::Error) drawError(editor, lo, hi);
   if (!mode.error.empty()) label(editor, {lo.x, 0.5f * (lo.y + hi.y) - editor.theme.px(14)}, hi, mode.error, false, "compare error");

@@ -19,8 +19,7 @@ using nodes::ParamSpec;
 using nodes::ParamType;
 using nodes::ParamValue;
 
-constexpr ImU32 kAxisColors[3] = {IM_COL32(214, 96, 92, 255), IM_COL32(120, 184, 96, 255),
-                                  IM_COL32(92, 142, 220, 255)};
+constexpr const ImU32* kAxisColors[3] = {&palette::kAxisX, &palette::kAxisY, &palette::kAxisZ};
 
 struct Row {
   Editor& editor;
@@ -73,7 +72,7 @@ void drawThree(const Row& row, const ParamValue& value, float width) {
   for (int i = 0; i < 3; ++i) {
     NumberField f = numbers(row.spec);
     f.unit = "";
-    f.mark = kAxisColors[i];
+    f.mark = *kAxisColors[i];
     ImGui::PushID(i);
     const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(),
                                         v[i], f, i < 2 ? each : width - 2 * (each + gap));

@@ -181,7 +181,7 @@ void drawPickedRay(Editor& editor) {
   for (const Viewport::Rect& r : editor.viewport.shown) {
     const vec2 at = glm::mix(r.min, r.max, vec2(*uv));
     const float radius = theme.px(6), arm = theme.px(5);
-    for (const auto& [color, width] : {std::pair(IM_COL32(0, 0, 0, 150), 3.5f), std::pair(palette::kSelect, 1.5f)}) {
+    for (const auto& [color, width] : {std::pair(palette::kHandleEdge, 3.5f), std::pair(palette::kSelect, 1.5f)}) {
       draw->AddCircle(im(at), radius, color, 0, width * theme.scale);
       for (const vec2 d : {vec2(1, 0), vec2(-1, 0), vec2(0, 1), vec2(0, -1)})
         draw->AddLine(im(at + radius * d), im(at + (radius + arm) * d), color, width * theme.scale);

@@ -14,13 +14,8 @@
 namespace pileus::editor {
 namespace {
 
-constexpr ImU32 kExact = IM_COL32(226, 230, 236, 255);
-constexpr ImU32 kMapped = palette::kAccent;
-constexpr ImU32 kMuted = palette::kSelect;
-constexpr ImU32 kLeak = IM_COL32(236, 104, 84, 110);
-constexpr ImU32 kDark = IM_COL32(72, 132, 240, 120);
-constexpr ImU32 kVolumes[] = {IM_COL32(110, 170, 220, 255), IM_COL32(150, 200, 130, 255), IM_COL32(214, 168, 96, 255),
-                              IM_COL32(178, 146, 220, 255), IM_COL32(222, 134, 134, 255), IM_COL32(112, 196, 190, 255)};
+constexpr const ImU32* kVolumes[] = {&palette::kSeries0, &palette::kSeries1, &palette::kSeries2,
+                                     &palette::kSeries3, &palette::kSeries4, &palette::kSeries5};
 constexpr float kGutter = 44;   // design pixels for the labels of y
 constexpr std::size_t kLanes = 4;       // of volume bars; the last one takes the rest
 
@@ -107,7 +102,7 @@ void drawVolumes(Editor& editor, ChartSpace& space, const view::RayProbe& p, con
     const int row = lanes[i];
     const float x0 = std::max(plot.px(p.metres(part.from)), plot.lo.x), x1 = std::min(std::max(plot.px(p.metres(part.to)), x0 + 1), plot.hi.x);
     const vec2 lo(x0, space.y + lane * static_cast<float>(row)), hi(x1, lo.y + lane - theme.px(2));
-    const ImU32 color = kVolumes[static_cast<std::size_t>(part.volume) % std::size(kVolumes)];
+    const ImU32 color = *kVolumes[static_cast<std::size_t>(part.volume) % std::size(kVolumes)];
     plot.draw->AddRectFilled(im(lo), im(hi), color, theme.px(2));
     if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::IsMouseHoveringRect(im(lo - vec2(0, 1)), im(hi + vec2(0, 1)))) {
       const std::string text = fmt::format("{}: {:.4g} to {:.4g} m", part.name, p.metres(part.from), p.metres(part.to));
@@ -150,10 +145,10 @@ void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, cons
     std::size_t j = i;
     while (j + 1 < u.size() && u[j + 1] - u[i] < 1e-6) ++j;
     if (j > i + 2 && u[i] > 1e-3 && u[i] < 1 - 1e-3)
-      plot.draw->AddRectFilled({std::max(plot.px(metres[i]), plot.lo.x), plot.lo.y}, {std::min(plot.px(metres[j]), plot.hi.x), plot.hi.y}, IM_COL32(255, 255, 255, 10));
+      plot.draw->AddRectFilled({std::max(plot.px(metres[i]), plot.lo.x), plot.lo.y}, {std::min(plot.px(metres[j]), plot.hi.x), plot.hi.y}, palette::kBand);
     i = j + 1;
   }
-  plotLine(plot, metres, u, IM_COL32(184, 146, 232, 255), 1.6f * theme.scale);
+  plotLine(plot, metres, u, palette::kMetricSocket, 1.6f * theme.scale);
   plotVertical(plot, p.metres(p.pointX), palette::kSelect, true);
   hover(editor, p, plot);
   editor.trace.rect("scope/metric", im(plot.lo), im(plot.hi));
@@ -193,22 +188,22 @@ void drawTransmittance(Editor& editor, ChartSpace& space) {
   const view::RayProbe& p = *scope.probe;
   const std::vector<double> metres = metresOf(p);
   const dvec2 range = shownRange(p);
-  std::vector<std::pair<std::string, ImU32>> keys{{"exact", kExact}};
-  if (!p.mapped.empty()) keys.push_back({"map", kMapped});
-  if (!scope.mutedT.empty()) keys.push_back({"muted", kMuted});
+  std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kExact}};
+  if (!p.mapped.empty()) keys.push_back({"map", palette::kAccent});
+  if (!scope.mutedT.empty()) keys.push_back({"muted", palette::kSelect});
   heading(editor, space, "Transmittance T from the light", keys);
   const Plot plot = plotIn(editor, space, 2 * space.unit, range, {0, 1.04});
   plotFrame(plot, AxisX::Labels, "m");
-  if (!p.mapped.empty()) plotBetween(plot, metres, p.exact, p.mapped, kLeak, kDark);
+  if (!p.mapped.empty()) plotBetween(plot, metres, p.exact, p.mapped, palette::kLeak, palette::kOverdark);
   plotVertical(plot, p.metres(p.pointX), palette::kSelect, true);
-  plotLine(plot, metres, p.exact, kExact, 1.6f * theme.scale);
-  plotLine(plot, metres, p.mapped, kMapped, 1.8f * theme.scale);
-  plotLine(plot, metres, scope.mutedT, kMuted, 1.6f * theme.scale);
+  plotLine(plot, metres, p.exact, palette::kExact, 1.6f * theme.scale);
+  plotLine(plot, metres, p.mapped, palette::kAccent, 1.8f * theme.scale);
+  plotLine(plot, metres, scope.mutedT, palette::kSelect, 1.6f * theme.scale);
   if (deep(p))
     for (const shadow::DeepVertex& v : p.taps.vertices)
-      if (v.x >= 0 && v.x <= 1 && p.metres(v.x) >= range.x && p.metres(v.x) <= range.y) plotDot(plot, p.metres(v.x), v.transmittance, kMapped, theme.px(2));
-  plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.exact, p.pointX), kExact, theme.px(3.5f));
-  if (!p.mapped.empty()) plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.mapped, p.pointX), kMapped, theme.px(3.5f));
+      if (v.x >= 0 && v.x <= 1 && p.metres(v.x) >= range.x && p.metres(v.x) <= range.y) plotDot(plot, p.metres(v.x), v.transmittance, palette::kAccent, theme.px(2));
+  plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.exact, p.pointX), palette::kExact, theme.px(3.5f));
+  if (!p.mapped.empty()) plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.mapped, p.pointX), palette::kAccent, theme.px(3.5f));
   hover(editor, p, plot);
   editor.trace.rect("scope/transmittance", im(plot.lo), im(plot.hi));
   space.y = plot.hi.y + theme.small->FontSize + theme.px(6);
@@ -223,8 +218,8 @@ void drawExtinction(Editor& editor, ChartSpace& space) {
   const view::ExtinctionOverU& e = editor.scope.overU;
   if (e.exact.empty()) return;
   const bool muted = !editor.scope.mutedT.empty();
-  std::vector<std::pair<std::string, ImU32>> keys{{"exact", IM_COL32(151, 159, 171, 160)}};
-  if (!e.mapped.empty()) keys.push_back({muted ? "muted" : "series", muted ? kMuted : kMapped});
+  std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kGhost}};
+  if (!e.mapped.empty()) keys.push_back({muted ? "muted" : "series", muted ? palette::kSelect : palette::kAccent});
   heading(editor, space, hasMetric(p) ? "Extinction over g, d\xcf\x84/dg" : "Extinction over x, d\xcf\x84/dx", keys);
   double lo = 0, hi = 1e-6;
   for (const auto* values : {&e.exact, &e.mapped})
@@ -238,12 +233,12 @@ void drawExtinction(Editor& editor, ChartSpace& space) {
   const double room = 0.06 * (hi - lo);
   const Plot plot = plotIn(editor, space, 1.4f * space.unit, {0, 1}, {lo < 0 ? lo - room : 0, hi + room});
   plotFrame(plot, AxisX::Labels, "", 5);
-  plotArea(plot, e.u, e.exact, 0, IM_COL32(151, 159, 171, 70));
+  plotArea(plot, e.u, e.exact, 0, faded(palette::kGhost, 0.28f));
   if (!e.mapped.empty()) {
     std::vector<double> negative;
     for (const double v : e.mapped) negative.push_back(std::min(v, 0.0));
-    plotArea(plot, e.u, negative, 0, kLeak);
-    plotLine(plot, e.u, e.mapped, muted ? kMuted : kMapped, 1.8f * theme.scale);
+    plotArea(plot, e.u, negative, 0, palette::kLeak);
+    plotLine(plot, e.u, e.mapped, muted ? palette::kSelect : palette::kAccent, 1.8f * theme.scale);
   }
   plotVertical(plot, interpolated(p.x, p.u, p.pointX), palette::kSelect, true);
   if (plot.hovered()) {
@@ -293,7 +288,7 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
     if (scope.muted[k])
       plot.draw->AddRect(im(from), im(to), palette::kTextFaint, theme.px(1.5f));
     else
-      plot.draw->AddRectFilled(im(from), im(to), hovered ? IM_COL32(140, 192, 240, 255) : kMapped, theme.px(1.5f));
+      plot.draw->AddRectFilled(im(from), im(to), hovered ? mixed(palette::kAccent, palette::kHighlight, 0.3f) : palette::kAccent, theme.px(1.5f));
     if (hovered)
       tooltip(theme, fmt::format("{}\n{:.5g}\nClick to {}", termText(p, k), c[k], scope.muted[k] ? "unmute" : "mute"));
   }

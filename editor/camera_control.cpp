@@ -26,6 +26,17 @@ scene::Camera orbited(const scene::Camera& camera, dvec2 drag) {
   return out;
 }
 
+scene::Camera orbitedAbout(const scene::Camera& camera, const dvec3& pivot, dvec2 drag) {
+  const scene::Camera turned = orbited(camera, drag);
+  // Where the pivot is seen from: its place in the camera's own axes, which turn with the eye.
+  const dvec3 seen = glm::transpose(scene::basis(camera)) * (pivot - camera.eye);
+  const dvec3 shift = pivot - (turned.eye + scene::basis(turned) * seen);
+  scene::Camera out = turned;
+  out.eye += shift;
+  out.target += shift;
+  return out;
+}
+
 scene::Camera panned(const scene::Camera& camera, dvec2 drag) {
   const glm::dmat3 axes = scene::basis(camera);
   const double height =
@@ -42,6 +53,32 @@ scene::Camera dollied(const scene::Camera& camera, double factor) {
   const dvec3 offset = camera.eye - camera.target;
   const double distance = glm::length(offset);
   if (distance > 0) out.eye = camera.target + offset / distance * std::clamp(distance * factor, 1e-4, 1e7);
+  return out;
+}
+
+scene::Camera dolliedTo(const scene::Camera& camera, const dvec3& point, double factor) {
+  const double distance = glm::length(camera.eye - camera.target);
+  if (!(distance > 0)) return camera;
+  const double f = std::clamp(distance * factor, 1e-4, 1e7) / distance;
+  scene::Camera out = camera;
+  out.eye = point + f * (camera.eye - point);
+  out.target = point + f * (camera.target - point);
+  return out;
+}
+
+scene::Camera seenFrom(const scene::Camera& camera, const dvec3& towardsEye) {
+  scene::Camera out = camera;
+  const dvec3 up = glm::length(camera.up) > 0 ? glm::normalize(camera.up) : dvec3(0, 1, 0);
+  const double distance = glm::length(camera.eye - camera.target);
+  dvec3 d = towardsEye;
+  if (std::abs(glm::dot(d, up)) > 0.9999) {
+    // From above, the picture's top is away from where the camera stood.
+    dvec3 level = camera.eye - camera.target;
+    level -= glm::dot(level, up) * up;
+    level = glm::length(level) > 1e-6 * distance ? glm::normalize(level) : dvec3(0, 0, 1);
+    d = glm::normalize(d + 1e-3 * level);
+  }
+  out.eye = out.target + distance * d;
   return out;
 }
 

@@ -101,13 +101,22 @@ Settings settingsFromText(std::string_view text) {
     s.window.y = static_cast<int>(std::clamp((*it)[1].get<double>(), 480.0, 16384.0));
   }
   readLayout(j, s);
+  readViewSettings(j, s.view);
   if (const auto it = j.find("theme"); it != j.end() && it->is_string())
     s.theme = enumFromId<Appearance>(it->get<std::string>()).value_or(s.theme);
   read(j, "uiScale", s.uiScale, 0, 4);
   if (s.uiScale != 0) s.uiScale = std::max(s.uiScale, 0.5);
   read(j, s.layouts);
   read(j, "viewportResolution", s.viewportResolution, 0.125, 2);
+  read(j, "draftMs", s.draftMs, 30, 100);
+  read(j, "showInspector", s.showInspector);
+  read(j, "showHistogram", s.showHistogram);
+  read(j, "showHud", s.showHud);
   read(j, "showTimes", s.showTimes);
+  read(j, "showThumbnails", s.showThumbnails);
+  read(j, "showMinimap", s.showMinimap);
+  read(j, "showStart", s.showStart);
+  read(j, "tourSeen", s.tourSeen);
   read(j, s.bookmarks);
   read(j, "recentCommands", s.recentCommands);
   read(j, "recentFiles", s.recentFiles);
@@ -123,13 +132,22 @@ std::string settingsText(const Settings& s) {
             {"layouts", layoutsJson(s.layouts)},
             {"recentCommands", s.recentCommands},
             {"viewportResolution", s.viewportResolution},
-            {"showTimes", s.showTimes},
+            {"draftMs", s.draftMs},
+            {"showInspector", s.showInspector},
+            {"showHistogram", s.showHistogram},
+            {"showHud", s.showHud},
+            {"showStart", s.showStart},
+                  {"tourSeen", s.tourSeen},
+                  {"showTimes", s.showTimes},
+                  {"showThumbnails", s.showThumbnails},
+                  {"showMinimap", s.showMinimap},
             {"bookmarks", bookmarksJson(s.bookmarks)},
             {"recentFiles", s.recentFiles},
             {"recentNodes", s.recentNodes},
             {"recentFolders", s.recentFolders},
             {"folderBookmarks", s.folderBookmarks}};
   writeLayout(j, s);
+  writeViewSettings(j, s.view);
   if (s.window.x > 0) j["window"] = {s.window.x, s.window.y};
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -8,6 +8,7 @@
 #include "editor/appearance.h"
 #include "editor/bookmarks.h"
 #include "editor/panel_layout.h"
+#include "editor/viewport/view_settings.h"
 #include "renderer/base/math.h"
 #include "renderer/base/result.h"
 
@@ -18,9 +19,18 @@ struct Settings : PanelLayout {
   Appearance theme = Appearance::Dark;
   double uiScale = 0;                       ///< 0: the screen's
   double viewportResolution = 1;            ///< rendered pixels per panel pixel
+  double draftMs = 60;                      ///< what a picture may take while something is dragged
+  bool showInspector = false;               ///< of the viewport: the strip below the picture
+  bool showHistogram = false;
+  bool showHud = false;
+  bool showStart = true;                    ///< the start view, where no file is given
+  bool tourSeen = false;
   bool showTimes = false;                   ///< milliseconds on nodes
+  bool showThumbnails = false;              ///< pictures on nodes
+  bool showMinimap = true;
   std::vector<NamedLayout> layouts;         ///< the user's own
   std::vector<std::string> recentCommands;  ///< action ids run from the palette, newest first
+  ViewSettings view;                        ///< of the viewport
   std::vector<FileBookmarks> bookmarks;     ///< of the graph canvas, most recently marked file first
   std::vector<std::string> recentFiles;     ///< absolute, newest first
   std::vector<std::string> recentNodes;     ///< node type ids, newest first

@@ -1,43 +1,45 @@
 #pragma once
 // A number to drag or type. Dragging stops at the soft range (Shift: fine, Ctrl: round steps), typing at the
-// hard one; Ctrl+click or a double click types.
+// hard one; Ctrl+click or a double click types, Esc puts back what was there, Ctrl+wheel steps.
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
+#include "editor/panels/number_drag.h"
 #include "editor/theme.h"
 
 namespace pileus::editor {
 
-struct NumberField {
-  double softMin = 0, softMax = 0;  ///< equal: none
-  double hardMin = -1e9, hardMax = 1e9;
-  bool integer = false, logarithmic = false;
-  const char* unit = "";
-  ImU32 mark = 0;  ///< a thin coloured edge (axes of a vector); 0 = none
+struct NumberField : NumberRange {
+  const char* unit = "";  ///< typed quantities are converted to it
+  bool showUnit = true;
+  bool takesKelvin = false;  ///< a channel of a colour: "5500K" is one
+  bool mixed = false;        ///< several values: a dash instead of a number
+  bool locked = false;       ///< to be seen only
+  ImU32 mark = 0;            ///< a thin coloured edge (axes of a vector); 0 = none
 };
 
 struct NumberEdit {
-  bool changed = false;   ///< the value is a new one
-  bool dragging = false;  ///< by a drag that goes on
-  bool finished = false;  ///< a drag or typing has ended: close the undo step
-  bool refused = false;   ///< what was typed was not taken: NumberFieldState::refusal says why
+  bool changed = false;          ///< the value is a new one
+  bool dragging = false;         ///< by something that goes on: a drag, the wheel, arrows while typing
+  bool finished = false;         ///< it has ended: close the undo step
+  bool cancelled = false;        ///< by Esc: what was there before is wanted back
+  bool refused = false;          ///< what was typed was not taken: NumberFieldState::refusal says why
+  bool gang = false;             ///< Alt is held: the neighbours move along
+  std::optional<double> kelvin;  ///< a temperature was typed into a colour
 };
 
 /// Of the one field that is being dragged or typed into.
 struct NumberFieldState {
-  ImGuiID active = 0, typing = 0;
-  double raw = 0;  ///< dragged value before rounding
-  bool moved = false, focus = false;
+  ImGuiID active = 0, typing = 0, wheel = 0;
+  double raw = 0;     ///< dragged value before rounding
+  double before = 0;  ///< the value when typing began
+  double wheelAt = 0;
+  bool moved = false, focus = false, live = false, wasRefused = false;
+  int button = 0;             ///< -1, 1: pressed on the buttons of an integer
   std::string text, refusal;  ///< refusal: why the text last typed was not taken
 };
-
-/// Up to six significant digits, no trailing zeros.
-std::string numberText(double value, bool integer);
-/// The dragged value after `pixels` of a field `width` wide; pure. `fine` and `snap` are the modifiers.
-double draggedValue(double raw, double pixels, double width, const NumberField& field, bool fine);
-/// Rounds a dragged value to what a person would type, inside the soft range (or the hard one).
-double tidiedValue(double raw, const NumberField& field, bool fine, bool snap);
 
 NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* id, double& value,
                        const NumberField& field, float width);

@@ -1,8 +1,6 @@
 #include "editor/panels/param_row.h"
 
 #include <fmt/core.h>
-#include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,8 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
+#include "editor/panels/param_help.h"
+#include "editor/panels/param_widgets.h"
 #include "editor/widgets.h"
 
 namespace pileus::editor {
@@ -17,271 +17,242 @@ namespace {
 
 using nodes::ParamSpec;
 using nodes::ParamType;
-using nodes::ParamValue;
 
-constexpr const ImU32* kAxisColors[3] = {&palette::kAxisX, &palette::kAxisY, &palette::kAxisZ};
+constexpr float kSocket = 12, kDot = 10, kKey = 16;  // design pixels of the marks
 
-struct Row {
-  Editor& editor;
-  const std::string& node;
-  const ParamSpec& spec;
-  float width;
-  std::string key() const { return node + "." + spec.id; }
-};
-
-void set(const Row& row, const ParamValue& value, bool dragging) {
-  tryEdit(row.editor, nodes::setParam(row.editor.document.graph(), row.node, row.spec.id, value),
-          "Set " + row.key(), dragging ? "param " + row.key() : "");
-}
-
-NumberField numbers(const ParamSpec& spec) {
-  NumberField f;
-  f.softMin = spec.softMin, f.softMax = spec.softMax;
-  f.hardMin = spec.hardMin, f.hardMax = spec.hardMax;
-  f.integer = spec.type == ParamType::Int;
-  f.logarithmic = spec.logarithmic;
-  f.unit = spec.unit.c_str();
-  return f;
-}
-
-void after(const Row& row, const NumberEdit& edit, const ParamValue& value) {
-  if (edit.changed) set(row, value, edit.dragging);
-  if (edit.dragging) row.editor.preview.touch();
-  if (edit.finished) row.editor.document.endMerge();
-  Parameters& panel = row.editor.parameters;
-  if (edit.refused)
-    panel.refusedKey = row.key(), panel.refusedAt = ImGui::GetTime();
-  else if (edit.changed)
-    panel.refusedKey.clear();
-}
-
-void drawNumber(const Row& row, const ParamValue& value) {
-  const bool integer = row.spec.type == ParamType::Int;
-  double number = integer ? std::get<int>(value) : std::get<double>(value);
-  const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(),
-                                      number, numbers(row.spec), row.width);
-  if (integer)
-    after(row, edit, static_cast<int>(number));
+void drawDiamond(ImVec2 c, float r, ImU32 color, bool filled, float line) {
+  const ImVec2 p[4] = {{c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  if (filled)
+    draw->AddConvexPolyFilled(p, 4, color);
   else
-    after(row, edit, number);
+    draw->AddPolyline(p, 4, color, ImDrawFlags_Closed, line);
 }
 
-void drawThree(const Row& row, const ParamValue& value, float width) {
-  dvec3 v = std::get<dvec3>(value);
-  const float gap = row.editor.theme.px(4), each = std::floor((width - 2 * gap) / 3);
-  for (int i = 0; i < 3; ++i) {
-    NumberField f = numbers(row.spec);
-    f.unit = "";
-    f.mark = *kAxisColors[i];
-    ImGui::PushID(i);
-    const NumberEdit edit = numberField(row.editor.parameters.numbers, row.editor.theme, row.spec.id.c_str(),
-                                        v[i], f, i < 2 ? each : width - 2 * (each + gap));
-    row.editor.trace.item("param/" + row.spec.id + "/" + std::to_string(i));
-    ImGui::PopID();
-    if (i < 2) ImGui::SameLine(0, gap);
-    after(row, edit, v);
+nodes::SocketType socketTypeOf(const ParamSpec& spec) {
+  using S = nodes::SocketType;
+  return spec.type == ParamType::Vector  ? S::Vector
+         : spec.type == ParamType::Color ? S::Color
+         : spec.type == ParamType::Text  ? S::Text
+                                         : S::Number;
+}
+
+/// The ring at the left: an input of the node, or a wish for one.
+void socketMark(Editor& editor, const ParamTarget& target, const ParamState& state, const RowFrame& f,
+                bool lit) {
+  if (!canExpose(*target.spec)) return;
+  const Theme& theme = editor.theme;
+  ImGui::SetCursorScreenPos(f.at);
+  if (ImGui::InvisibleButton("socket", {theme.px(kSocket), f.height})) toggleExposed(editor, target);
+  editor.trace.item("expose/" + target.spec->id);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered)
+    tooltip(theme,
+            state.exposed ? "An input of the node; click to take it back" : "Expose as input of the node");
+  const ImVec2 c = {f.at.x + theme.px(5), std::round(f.at.y + 0.5f * f.height)};
+  const ImU32 color = socketColor(socketTypeOf(*target.spec));
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  if (state.exposed)
+    draw->AddCircleFilled(c, theme.px(hovered ? 4.5f : 4), color);
+  else if (lit || hovered)
+    draw->AddCircle(c, theme.px(3.5f), hovered ? color : palette::kTextFaint, 0, 1.2f * theme.scale);
+}
+
+bool modifiedDot(Editor& editor, const ParamTarget& target, const RowFrame& f) {
+  const Theme& theme = editor.theme;
+  ImGui::SetCursorScreenPos({f.at.x + theme.px(kSocket), f.at.y});
+  const bool reset = ImGui::InvisibleButton("reset", {theme.px(kDot), f.height});
+  editor.trace.item("modified/" + target.spec->id);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) tooltip(theme, "Changed; click to reset (Backspace)");
+  ImGui::GetWindowDrawList()->AddCircleFilled(
+      {f.at.x + theme.px(kSocket + 4), std::round(f.at.y + 0.5f * f.height)}, theme.px(hovered ? 4.0f : 2.5f),
+      palette::kAccent);
+  return reset;
+}
+
+bool animatable(const ParamSpec& spec) { return spec.type != ParamType::File; }
+
+/// The diamond at the right: outlined = no key, with accent = animated, filled = a key at this frame.
+void keyMark(Editor& editor, const ParamTarget& target, const ParamState& state, const RowFrame& f,
+             bool lit) {
+  if (!animatable(*target.spec) || state.linked()) return;
+  const Theme& theme = editor.theme;
+  const float x = f.at.x + ImGui::GetContentRegionMax().x - theme.px(kKey);
+  ImGui::SetCursorScreenPos({x, f.at.y});
+  if (ImGui::InvisibleButton("key", {theme.px(kKey), f.height})) toggleKey(editor, target);
+  editor.trace.item("key/" + target.spec->id);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered)
+    tooltip(theme,
+            fmt::format("{} at frame {} (I)", state.keyHere ? "Remove the key" : "Set a key", editor.frame));
+  if (!lit && !hovered && !state.animated) return;
+  const ImVec2 c = {x + theme.px(kKey - 6), std::round(f.at.y + 0.5f * f.height)};
+  const ImU32 color = state.animated ? palette::kSelect : hovered ? palette::kText : palette::kTextFaint;
+  drawDiamond(c, theme.px(5), color, state.keyHere, 1.2f * theme.scale);
+  if (state.animated && !state.keyHere) drawDiamond(c, theme.px(2), color, true, 1);
+}
+
+std::string liveValue(const Editor& editor, const ParamTarget& target) {
+  const nodes::SocketValue* value = editor.preview.evaluator().input(target.nodes.front(), target.spec->id);
+  if (!value) return {};
+  const bool whole = target.spec->type == ParamType::Int;
+  if (const double* v = std::get_if<double>(value)) return numberText(*v, whole);
+  const auto three = [](const dvec3& v) {
+    return numberText(v.x, false) + "  " + numberText(v.y, false) + "  " + numberText(v.z, false);
+  };
+  if (const dvec3* v = std::get_if<dvec3>(value)) return three(*v);
+  if (const nodes::Color* v = std::get_if<nodes::Color>(value)) return three(dvec3(v->rgb));
+  if (const std::string* v = std::get_if<std::string>(value)) return *v;
+  return {};
+}
+
+/// In place of the widget: where the value comes from, and what it is now.
+void drawLinked(Editor& editor, const ParamTarget& target, const ParamState& state, float width) {
+  const Theme& theme = editor.theme;
+  const ImVec2 lo = ImGui::GetCursorScreenPos(), hi = {lo.x + width, lo.y + ImGui::GetFrameHeight()};
+  if (ImGui::InvisibleButton("linked", {width, hi.y - lo.y})) editor.document.select({state.sourceNode});
+  editor.trace.item("linked/" + target.spec->id);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(lo, hi, faded(hovered ? palette::kFieldHover : palette::kField, hovered ? 1 : 0.6f),
+                      theme.px(4));
+  const float y = lo.y + 0.5f * (hi.y - lo.y - theme.body->FontSize);
+  const std::string value = liveValue(editor, target), from = "from " + state.sourceNode;
+  const float room = std::min(textWidth(theme.body, value), 0.5f * width);
+  drawText(draw, theme.body, {lo.x + theme.space(2), y}, hovered ? palette::kText : palette::kAccent, from,
+           width - room - theme.space(5));
+  drawText(draw, theme.body, {hi.x - room - theme.space(2), y}, palette::kTextFaint, value, room + 1);
+  if (hovered)
+    tooltip(theme, fmt::format("The value comes from {}.{}; click to select it", state.sourceNode,
+                               state.sourceSocket));
+}
+
+void drawMenu(Editor& editor, const ParamTarget& target, const ParamState& state) {
+  if (!ImGui::BeginPopup("row menu")) return;
+  const auto item = [&](const char* id, const char* label, const char* key, bool enabled, bool on = false) {
+    const bool chosen = ImGui::MenuItem(label, key, on, enabled);
+    editor.trace.item(std::string("row menu/") + id);
+    return chosen;
+  };
+  if (item("reset", "Reset to Default", "Backspace", state.modified)) resetParam(editor, target);
+  ImGui::Separator();
+  if (item("copy", "Copy Value", "Ctrl+C", !state.mixed())) copyParam(editor, target);
+  if (item("paste", "Paste Value", "Ctrl+V", true)) pasteParam(editor, target);
+  if (item("paste all", "Paste All Values of the Copied Node", "Ctrl+Shift+V", true))
+    pasteValues(editor, target.nodes);
+  ImGui::Separator();
+  if (animatable(*target.spec)) {
+    if (item("key", state.keyHere ? "Remove Key" : "Set Key", "I", !state.linked()))
+      toggleKey(editor, target);
+    if (item("clear keys", "Remove Animation", "", state.animated)) clearAnimation(editor, target);
   }
+  if (canExpose(*target.spec) && item("expose", "Expose as Input", "", true, state.exposed))
+    toggleExposed(editor, target);
+  ImGui::Separator();
+  if (item("help", "Help", "F1", true)) openHelpPage(editor, target.nodes.front(), target.spec->id);
+  ImGui::EndPopup();
 }
 
-float encoded(float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; }
-float decoded(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
-
-/// A swatch that opens a picker, and the linear numbers. The picker works on the encoded colour below 1 and
-/// keeps what is above as a factor.
-void drawColor(const Row& row, const ParamValue& value) {
-  const Theme& theme = row.editor.theme;
-  const dvec3 linear = std::get<dvec3>(value);
-  const double strength = std::max({1.0, linear.x, linear.y, linear.z});
-  float shown[3];
-  for (int i = 0; i < 3; ++i) shown[i] = encoded(static_cast<float>(std::max(linear[i], 0.0) / strength));
-  const float swatch = ImGui::GetFrameHeight() * 1.3f;
-  if (ImGui::ColorButton("##swatch", {shown[0], shown[1], shown[2], 1},
-                         ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
-                         {swatch, ImGui::GetFrameHeight()}))
-    ImGui::OpenPopup("picker");
-  ImGui::SameLine(0, theme.px(4));
-  drawThree(row, value, row.width - swatch - theme.px(4));
-  if (ImGui::BeginPopup("picker")) {
-    ImGui::SetNextItemWidth(theme.px(220));
-    if (ImGui::ColorPicker3("##picker", shown,
-                            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoInputs |
-                                ImGuiColorEditFlags_PickerHueBar)) {
-      dvec3 next;
-      for (int i = 0; i < 3; ++i)
-        next[i] = std::clamp(std::round(static_cast<double>(decoded(shown[i])) * strength * 1e4) / 1e4,
-                             row.spec.hardMin, row.spec.hardMax);
-      set(row, next, true);
-      row.editor.preview.touch();
-    }
-    if (ImGui::IsItemDeactivatedAfterEdit()) row.editor.document.endMerge();
-    ImGui::EndPopup();
-  }
-}
-
-void drawEnum(const Row& row, const ParamValue& value) {
-  const std::string& id = std::get<std::string>(value);
-  const nodes::Choice* current = nullptr;
-  for (const nodes::Choice& c : row.spec.choices)
-    if (c.id == id) current = &c;
-  if (!beginCombo(row.editor.theme, "##combo", current ? current->label : id, row.width)) return;
-  for (const nodes::Choice& c : row.spec.choices) {
-    if (ImGui::Selectable(c.label.c_str(), &c == current)) set(row, c.id, false);
-    row.editor.trace.item("choice/" + c.id);
-    if (!c.help.empty() && ImGui::IsItemHovered()) tooltip(row.editor.theme, c.help);
-  }
-  ImGui::EndCombo();
-}
-
-void drawText(const Row& row, const ParamValue& value, float width) {
-  Parameters& panel = row.editor.parameters;
-  const bool editing = panel.textKey == row.key();
-  std::string text = editing ? panel.text : std::get<std::string>(value);
-  ImGui::SetNextItemWidth(width);
-  const bool enter = ImGui::InputText("##text", &text, ImGuiInputTextFlags_EnterReturnsTrue);
-  if (ImGui::IsItemActive()) panel.textKey = row.key(), panel.text = text;
-  if (enter || ImGui::IsItemDeactivatedAfterEdit()) set(row, text, false);
-  if (editing && !ImGui::IsItemActive()) panel.textKey.clear();
-}
-
-void drawFile(const Row& row, const ParamValue& value) {
-  Editor& editor = row.editor;
-  const float button = ImGui::GetFrameHeight() + editor.theme.px(4);
-  drawText(row, value, row.width - button - editor.theme.px(4));
-  ImGui::SameLine(0, editor.theme.px(4));
-  if (ImGui::Button(icon::kFolderOpen, {button, 0})) {
-    const std::filesystem::path folder = editor.document.path().parent_path();
-    std::filesystem::path start = std::get<std::string>(value);
-    if (start.is_relative() && !start.empty()) start = folder / start;
-    BrowserRequest request;
-    request.title = row.spec.label + " of " + row.node;
-    request.button = "Choose";
-    request.saving = row.spec.writes;
-    request.start = start;
-    if (!row.spec.fileKinds.empty()) request.kinds = {row.spec.fileKinds};
-    request.done = [&editor, node = row.node, param = row.spec.id](const std::filesystem::path& path) {
-      tryEdit(editor, nodes::setParam(editor.document.graph(), node, param, path.string()),
-              "Set " + node + "." + param);
-    };
-    editor.browser.open(editor, std::move(request));
-  }
-  editor.trace.item("browse/" + row.spec.id);
-}
-
-void drawWidget(const Row& row, const ParamValue& value) {
-  switch (row.spec.type) {
-    case ParamType::Bool: {
-      bool on = std::get<bool>(value);
-      ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
-      if (ImGui::Checkbox("##bool", &on)) set(row, on, false);
-      ImGui::PopStyleVar();
-      break;
-    }
-    case ParamType::Int:
-    case ParamType::Float:
-      drawNumber(row, value);
-      break;
-    case ParamType::Vector:
-      drawThree(row, value, row.width);
-      break;
-    case ParamType::Color:
-      drawColor(row, value);
-      break;
-    case ParamType::Text:
-      drawText(row, value, row.width);
-      break;
-    case ParamType::File:
-      drawFile(row, value);
-      break;
-    case ParamType::Enum:
-      drawEnum(row, value);
-      break;
-  }
-}
-
-void drawHelp(const Theme& theme, const ParamSpec& spec) {
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(theme.px(320));
-  if (!spec.help.empty()) ImGui::TextUnformatted(spec.help.c_str());
-  std::string facts;
-  const bool numeric = spec.type == ParamType::Int || spec.type == ParamType::Float ||
-                       spec.type == ParamType::Vector || spec.type == ParamType::Color;
-  const bool whole = spec.type == ParamType::Int;
-  if (numeric && spec.hardMin > -1e9)
-    facts += fmt::format("{} to {}{}{}, ", numberText(spec.hardMin, whole), numberText(spec.hardMax, whole),
-                         spec.unit.empty() ? "" : " ", spec.unit);
-  const std::string fallback = nodes::formatParam(spec, spec.fallback);
-  facts += "default " + (fallback.empty() ? std::string("empty") : fallback);
-  ImGui::PushFont(theme.small);
-  ImGui::TextDisabled("%s", facts.c_str());
-  ImGui::PopFont();
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+/// The frame of the row, whether the pointer is in it, and what its keys mean then.
+bool hoverRow(Editor& editor, const ParamTarget& target, ImVec2 lo, ImVec2 hi, bool clipped) {
+  Parameters& panel = editor.parameters;
+  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(lo, hi);
+  if (!hovered) return false;
+  panel.hovered = target;
+  if (ImGui::IsMouseReleased(1)) ImGui::OpenPopup("row menu");
+  const bool busy = ImGui::IsAnyItemActive() || panel.numbers.typing != 0;
+  const bool onLabel = ImGui::GetIO().MousePos.x < lo.x + 0.38f * (hi.x - lo.x) &&
+                       ImGui::GetIO().MousePos.x > lo.x + editor.theme.px(kSocket + kDot);
+  const bool onKey = ImGui::GetIO().MousePos.x > hi.x - editor.theme.px(kKey);
+  if (!busy && !onKey &&
+      (onLabel ? panel.rest.short_
+               : panel.rest.long_ && target.spec->type != ParamType::File &&
+                     target.spec->type != ParamType::Enum))
+    drawParamTooltip(editor, target);
+  else if (!busy && onLabel && clipped)
+    tooltip(editor.theme, target.spec->label);
+  return true;
 }
 
 }  // namespace
 
-float beginRow(const Editor& editor, const std::string& label, bool modified, bool* reset) {
+RowFrame rowFrame(const Editor& editor, bool wide) {
   const Theme& theme = editor.theme;
-  const float all = ImGui::GetContentRegionAvail().x, labels = std::floor(all * 0.42f);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight(), dot = theme.px(12);
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  if (modified) {
-    if (ImGui::InvisibleButton("##reset", {dot, height}) && reset) *reset = true;
-    const bool hovered = ImGui::IsItemHovered();
-    if (hovered) ImGui::SetTooltip("Changed; click to reset");
-    draw->AddCircleFilled({at.x + theme.px(4), at.y + 0.5f * height}, theme.px(hovered ? 4.0f : 2.5f),
-                          palette::kAccent);
-  }
-  editor::drawText(draw, theme.body, {at.x + dot, at.y + 0.5f * (height - theme.body->FontSize)},
-                   modified ? palette::kText : palette::kTextDim, label, labels - dot - theme.space(2));
-  ImGui::SetCursorScreenPos({at.x + labels, at.y});
-  return all - labels;
+  RowFrame f;
+  f.at = ImGui::GetCursorScreenPos();
+  f.height = ImGui::GetFrameHeight();
+  f.label = theme.px(kSocket + kDot);
+  const float all = ImGui::GetContentRegionAvail().x, right = all - theme.px(kKey) - theme.px(2);
+  f.widget = std::floor(std::max(f.label + theme.px(56), all * 0.40f));
+  f.width = right - f.widget;
+  f.stacked = wide && f.width < theme.px(176);
+  if (f.stacked) f.widget = f.label, f.width = right - f.label;
+  return f;
 }
 
-void drawParamRow(Editor& editor, const std::string& name, const ParamSpec& spec) {
-  const nodes::Node* node = nodes::findNode(editor.document.graph(), name);
-  if (!node) return;
-  const ParamValue value = nodes::paramValue(*node, spec);
-  const bool modified = node->params.contains(spec.id),
-             animated = node->unknown.contains("params/" + spec.id);
-  ImGui::PushID(spec.id.c_str());
-  const ImVec2 start = ImGui::GetCursorScreenPos();
-  bool reset = false;
-  const Row row{editor, name, spec, beginRow(editor, spec.label, modified || animated, &reset)};
-  if (animated) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("animated in the file");
-  } else {
-    ImGui::BeginGroup();
-    drawWidget(row, value);
-    ImGui::EndGroup();
-  }
-  editor.trace.item("param/" + spec.id);
-  const ImVec2 lo = start, hi = {ImGui::GetItemRectMax().x, start.y + ImGui::GetFrameHeight()};
-  const bool hovered =
-      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({lo.x + editor.theme.px(14), lo.y}, hi);
-  if (hovered && ImGui::IsMouseReleased(1)) ImGui::OpenPopup("row menu");
-  const bool busy = ImGui::IsAnyItemActive() || editor.parameters.numbers.typing != 0;
-  if (hovered && !busy && ImGui::GetIO().MousePos.x < lo.x + (hi.x - lo.x) * 0.41f)
-    drawHelp(editor.theme, spec);
-  if (ImGui::BeginPopup("row menu")) {
-    if (ImGui::MenuItem("Reset to Default", nullptr, false, modified)) reset = true;
-    editor.trace.item("row menu/reset");
-    if (ImGui::MenuItem("Copy Value")) ImGui::SetClipboardText(nodes::formatParam(spec, value).c_str());
-    ImGui::EndPopup();
-  }
+bool rowLabel(const Editor& editor, const RowFrame& f, const std::string& label, bool strong) {
+  const Theme& theme = editor.theme;
+  const float room = (f.stacked ? f.width : f.widget - f.label) - theme.space(1);
+  editor::drawText(ImGui::GetWindowDrawList(), theme.body,
+                   {f.at.x + f.label, f.at.y + 0.5f * (f.height - theme.body->FontSize)},
+                   strong ? palette::kText : palette::kTextDim, label, room);
+  return textWidth(theme.body, label) > room;
+}
+
+void toWidget(const RowFrame& f) {
+  ImGui::SetCursorScreenPos({f.at.x + f.widget, f.stacked ? f.at.y + f.height : f.at.y});
+}
+
+void drawRefusal(Editor& editor, const std::string& key) {
   const Parameters& panel = editor.parameters;
-  if (panel.refusedKey == row.key() && ImGui::GetTime() - panel.refusedAt < 8) {
-    ImGui::PushTextWrapPos();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
-    ImGui::TextUnformatted(panel.numbers.refusal.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
-    editor.trace.note("refusal", panel.numbers.refusal);
+  const bool staying = panel.numbers.wasRefused && panel.numbers.typing != 0;
+  if (panel.refusedKey != key || (!staying && ImGui::GetTime() - panel.refusedAt > 8)) return;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + editor.theme.px(kSocket + kDot));
+  ImGui::PushTextWrapPos();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
+  ImGui::PushFont(editor.theme.small);
+  ImGui::TextUnformatted(panel.numbers.refusal.c_str());
+  ImGui::PopFont();
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  editor.trace.note("refusal", panel.numbers.refusal);
+}
+
+void drawParamRow(Editor& editor, const ParamTarget& target) {
+  const ParamSpec& spec = *target.spec;
+  const ParamState state = paramState(editor, target);
+  if (editor.parameters.onlyModified && !state.modified && !state.linked() && !state.exposed) return;
+  ImGui::PushID(spec.id.c_str());
+  const RowFrame f = rowFrame(editor, spec.type == ParamType::Vector || spec.type == ParamType::Color);
+  const bool lit = editor.parameters.litParam == spec.id;
+  socketMark(editor, target, state, f, lit);
+  const bool reset = state.modified && modifiedDot(editor, target, f);
+  const bool clipped = rowLabel(editor, f, spec.label, state.modified);
+  ImGui::SetCursorScreenPos(f.at);
+  keyMark(editor, target, state, f, lit);
+  toWidget(f);
+  ImGui::BeginGroup();
+  if (state.linked())
+    drawLinked(editor, target, state, f.width);
+  else if (state.faulty) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("unreadable in the file");
+  } else {
+    drawParamWidget({editor, target, state, f.width});
   }
+  ImGui::EndGroup();
+  editor.trace.item("param/" + spec.id);
+  const float bottom = std::max(ImGui::GetItemRectMax().y, f.at.y + f.height);
+  const float right = f.at.x + ImGui::GetContentRegionMax().x;
+  const bool hovered =
+      hoverRow(editor, target, {f.at.x, f.at.y}, {right, bottom + ImGui::GetStyle().ItemSpacing.y}, clipped);
+  if (hovered) editor.parameters.nextLit = spec.id;
+  drawMenu(editor, target, state);
+  ImGui::SetCursorScreenPos({f.at.x, bottom + ImGui::GetStyle().ItemSpacing.y});
+  drawRefusal(editor, target.key());
   ImGui::PopID();
-  if (reset) set(row, spec.fallback, false);
+  if (reset) resetParam(editor, target);
 }
 
 }  // namespace pileus::editor

@@ -1,17 +1,31 @@
 #pragma once
-// One parameter of a node as a row: label, "modified" mark, and the widget its type asks for.
+// One parameter as a row: socket mark, "modified" dot, label, the widget its type asks for, and key mark.
+#include <imgui.h>
+
 #include <string>
 
-#include "nodes/graph.h"
+#include "editor/panels/param_edit.h"
 
 namespace pileus::editor {
 
 struct Editor;
 
-void drawParamRow(Editor& editor, const std::string& node, const nodes::ParamSpec& spec);
+void drawParamRow(Editor& editor, const ParamTarget& target);
 
-/// Begins a row: draws the label at the left and moves to where the widget goes; returns the widget's width.
-/// `modified` adds a dot that resets when clicked (returned in `reset`).
-float beginRow(const Editor& editor, const std::string& label, bool modified, bool* reset);
+/// Where the parts of a row are.
+struct RowFrame {
+  ImVec2 at;                    ///< top left
+  float height = 0, label = 0;  ///< of a line; where the label begins, from the left
+  float widget = 0, width = 0;  ///< where the widget begins, and its width
+  bool stacked = false;         ///< the widget is below the label
+};
+/// `wide` widgets go below their label where the panel is narrow.
+RowFrame rowFrame(const Editor& editor, bool wide);
+/// The label in its place; true if it does not fit.
+bool rowLabel(const Editor& editor, const RowFrame& frame, const std::string& label, bool strong);
+/// Moves to where the widget goes.
+void toWidget(const RowFrame& frame);
+/// The reason why the last text typed into the row `key` was not taken, below it.
+void drawRefusal(Editor& editor, const std::string& key);
 
 }  // namespace pileus::editor

@@ -3,13 +3,22 @@
 #include <fmt/core.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
+#include "editor/panels/document_rows.h"
 #include "editor/panels/param_row.h"
+#include "editor/widgets.h"
 
 namespace pileus::editor {
 namespace {
+
+constexpr double kShortRest = 0.45, kLongRest = 1.1;  // seconds: over labels, over what can be dragged
+
+using Names = std::vector<std::string>;
 
 void wrapped(ImU32 ink, const char* mark, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ink);
@@ -37,7 +46,8 @@ void drawName(Editor& editor, const std::string& name) {
   ImGui::InputText("##name", &panel.nameText, ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopFont();
   editor.trace.item("node name");
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("Name of this node (F2)");
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && panel.rest.short_)
+    tooltip(editor.theme, "Name of this node (F2)");
   if (!ImGui::IsItemDeactivated()) {
     if (!ImGui::IsItemActive()) panel.nameText = name;
     return;
@@ -45,38 +55,99 @@ void drawName(Editor& editor, const std::string& name) {
   if (panel.nameText != name &&
       tryEdit(editor, nodes::renameNode(editor.document.graph(), name, panel.nameText), "Rename " + name)) {
     std::set<std::string> selection = editor.document.selection();
-    selection.erase(name);
-    selection.insert(panel.nameText);
+    if (selection.erase(name)) selection.insert(panel.nameText);
     editor.document.select(std::move(selection));
     if (editor.viewport.activeView == name) editor.viewport.activeView = panel.nameText;
+    if (panel.pinned == name) panel.pinned = panel.nameText;
   }
   panel.nameOf.clear();
 }
 
-void drawHeader(Editor& editor, const std::string& name, const nodes::Node& node,
-                const nodes::NodeType* type) {
+/// A quiet button in the header's bar; `on` keeps it lit.
+bool barButton(Editor& editor, const char* mark, const char* trace, const char* help, bool on, float x,
+               float y) {
   const Theme& theme = editor.theme;
+  const float size = theme.px(22);
+  ImGui::SetCursorScreenPos({x, y});
+  const bool clicked = ImGui::InvisibleButton(trace, {size, size});
+  editor.trace.item(trace);
+  const bool hovered = ImGui::IsItemHovered();
+  if (on || hovered)
+    ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + size, y + size},
+                                              faded(palette::kTextStrong, on ? 0.22f : 0.12f), theme.px(4));
+  const float w = textWidth(theme.body, mark);
+  drawText(ImGui::GetWindowDrawList(), theme.body,
+           {x + 0.5f * (size - w), y + 0.5f * (size - theme.body->FontSize)},
+           faded(palette::kTextStrong, on || hovered ? 1 : 0.65f), mark, size);
+  if (hovered && editor.parameters.rest.short_) tooltip(theme, help);
+  return clicked;
+}
+
+void drawPanelMenu(Editor& editor, const Names& names) {
+  if (!ImGui::BeginPopup("panel menu")) return;
+  const auto item = [&](const char* id, const char* label, const char* key, bool on = false) {
+    const bool chosen = ImGui::MenuItem(label, key, on);
+    editor.trace.item(std::string("panel menu/") + id);
+    return chosen;
+  };
+  if (item("reset", names.size() == 1 ? "Reset All Parameters" : "Reset All Parameters of These Nodes", ""))
+    resetNodes(editor, names);
+  if (item("paste", "Paste All Values of the Copied Node", "Ctrl+Shift+V")) pasteValues(editor, names);
+  ImGui::Separator();
+  if (item("modified", "Show Only Modified", "", editor.parameters.onlyModified))
+    editor.parameters.onlyModified ^= true;
+  if (item("pin", "Pin to This Node", "", !editor.parameters.pinned.empty()))
+    editor.parameters.pinned = editor.parameters.pinned.empty() ? names.front() : "";
+  if (item("help", "Help on This Node", "F1")) openHelpPage(editor, names.front(), "");
+  ImGui::EndPopup();
+}
+
+void drawBar(Editor& editor, const Names& names, const nodes::Node& node, const nodes::NodeType* type) {
+  const Theme& theme = editor.theme;
+  Parameters& panel = editor.parameters;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const ImU32 color = type ? categoryColor(type->category) : IM_COL32(96, 60, 60, 255);
+  const float width = ImGui::GetContentRegionAvail().x, each = theme.px(24);
+  const ImU32 color = type ? categoryColor(type->category) : palette::kNodeUnknown;
   const char* mark = type ? categoryIcon(type->category) : icon::kWarning;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(at, {at.x + width, at.y + theme.px(26)}, color, theme.px(4));
-  drawText(draw, theme.body, {at.x + theme.px(9), at.y + theme.px(5)}, faded(palette::kTextStrong, 0.8f),
+  draw->AddRectFilled(at, {at.x + width, at.y + theme.px(28)}, color, theme.px(4));
+  drawText(draw, theme.body, {at.x + theme.px(9), at.y + theme.px(6)}, faded(palette::kTextStrong, 0.8f),
            mark, width);
-  drawText(draw, theme.strong, {at.x + theme.px(32), at.y + theme.px(5)}, palette::kTextStrong,
-           type ? type->label : node.type, width - theme.px(90));
-  if (type) {
-    const float right = textWidth(theme.small, type->category);
-    drawText(draw, theme.small, {at.x + width - right - theme.px(9), at.y + theme.px(6)},
-             faded(palette::kTextStrong, 0.7f), type->category, right + 1);
-  }
-  ImGui::Dummy({width, theme.px(28)});
-  drawName(editor, name);
-  if (type && !type->help.empty()) {
-    ImGui::PushFont(theme.small);
-    wrapped(palette::kTextDim, "", type->help);
+  drawText(draw, theme.strong, {at.x + theme.px(32), at.y + theme.px(6)}, palette::kTextStrong,
+           type ? type->label : node.type, width - theme.px(36) - 4 * each);
+  float x = at.x + width - theme.px(4) - theme.px(22);
+  const float y = at.y + theme.px(3);
+  if (barButton(editor, icon::kMore, "panel/menu", "More", false, x, y)) ImGui::OpenPopup("panel menu");
+  if (type && barButton(editor, icon::kQuestion, "panel/help", "Help on this node (F1)", false, x - each, y))
+    openHelpPage(editor, names.front(), "");
+  if (barButton(editor, icon::kFilter, "panel/modified", "Show only what is modified", panel.onlyModified,
+                x - 2 * each, y))
+    panel.onlyModified ^= true;
+  const bool pinned = !panel.pinned.empty();
+  if (names.size() == 1 &&
+      barButton(editor, icon::kPin, "panel/pin",
+                pinned ? "Follow the selection again" : "Stay at this node while others are selected", pinned,
+                x - 3 * each, y))
+    panel.pinned = pinned ? "" : names.front();
+  drawPanelMenu(editor, names);
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({width, theme.px(30)});
+}
+
+void drawHeader(Editor& editor, const Names& names, const nodes::Node& node, const nodes::NodeType* type) {
+  const Theme& theme = editor.theme;
+  drawBar(editor, names, node, type);
+  if (names.size() == 1) {
+    drawName(editor, names.front());
+  } else {
+    ImGui::PushFont(theme.strong);
+    ImGui::Text("%d nodes", static_cast<int>(names.size()));
     ImGui::PopFont();
+    ImGui::SameLine(0, theme.space(2));
+    ImGui::PushFont(theme.small);
+    wrapped(palette::kTextDim, "", "edited together");
+    ImGui::PopFont();
+    editor.trace.note("edited together", std::to_string(names.size()));
   }
   if (!type)
     wrapped(
@@ -111,90 +182,135 @@ void drawStatus(Editor& editor, const std::string& name) {
   ImGui::PopFont();
 }
 
-void drawNode(Editor& editor, const std::string& name) {
-  const nodes::Node* node = nodes::findNode(editor.document.graph(), name);
-  if (!node) return;
-  const nodes::NodePtr keep =
-      editor.document.graph().nodes.at(name);  // an edit while drawing replaces the graph
-  const nodes::NodeType* type = nodes::findNodeType(node->type);
-  ImGui::PushID(name.c_str());
-  drawHeader(editor, name, *keep, type);
-  if (type && !type->params.empty()) {
-    separator(editor.theme);
-    for (const nodes::ParamSpec& spec : type->params) drawParamRow(editor, name, spec);
+/// Rows below the header, which stays; where they were scrolled to is kept by node.
+void beginRows(Editor& editor, const std::string& of) {
+  Parameters& panel = editor.parameters;
+  ImGui::BeginChild("rows", {0, 0}, false);
+  if (panel.scrollOf != of) {
+    const auto it = panel.scrolls.find(of);
+    ImGui::SetScrollY(it == panel.scrolls.end() ? 0 : it->second);
+    panel.scrollOf = of;
+  } else {
+    panel.scrolls[of] = ImGui::GetScrollY();
   }
-  drawStatus(editor, name);
-  ImGui::PopID();
 }
 
-void settingNumber(Editor& editor, const char* id, const std::string& label, double value, NumberField field,
-                   void (*apply)(nodes::Settings&, double)) {
-  ImGui::PushID(id);
-  const float width = beginRow(editor, label, false, nullptr);
-  const NumberEdit edit = numberField(editor.parameters.numbers, editor.theme, id, value, field, width);
-  editor.trace.item(std::string("setting/") + id);
-  if (edit.changed) {
-    nodes::Graph graph = editor.document.graph();
-    apply(graph.settings, value);
-    editor.document.edit(std::move(graph), label,
-                         edit.dragging ? std::string("setting ") + id : std::string());
-    editor.preview.touch();
-  }
-  if (edit.finished) editor.document.endMerge();
+void drawRows(Editor& editor, const Names& names, const nodes::NodeType& type) {
+  const float top = ImGui::GetCursorPosY();
+  for (const nodes::ParamSpec& spec : type.params) drawParamRow(editor, {names, &spec});
+  if (!editor.parameters.onlyModified || ImGui::GetCursorPosY() > top) return;
+  wrapped(palette::kTextDim, "", "Nothing is modified.");
+  if (ImGui::Button("Show all parameters")) editor.parameters.onlyModified = false;
+  editor.trace.item("panel/show all");
+}
+
+void drawNodes(Editor& editor, const Names& names) {
+  const nodes::NodePtr node = editor.document.graph().nodes.at(names.front());  // an edit replaces the graph
+  const nodes::NodeType* type = nodes::findNodeType(node->type);
+  ImGui::PushID(names.front().c_str());
+  drawHeader(editor, names, *node, type);
   ImGui::PopID();
+  gap(editor.theme, 0.5f);
+  beginRows(editor, names.front());
+  ImGui::PushID(names.front().c_str());
+  if (type) drawRows(editor, names, *type);
+  if (names.size() == 1) drawStatus(editor, names.front());
+  ImGui::PopID();
+  ImGui::EndChild();
 }
 
 void drawDocument(Editor& editor) {
-  const Theme& theme = editor.theme;
-  ImGui::PushFont(theme.title);
+  ImGui::PushFont(editor.theme.title);
   ImGui::TextUnformatted("Document");
   ImGui::PopFont();
   wrapped(palette::kTextDim, "", "Select a node to see its parameters.");
-  separator(theme);
-  const nodes::Settings s = editor.document.graph().settings;
-  const NumberField pixels{64, 4096, 1, 65536, true, false, "px"};
-  settingNumber(editor, "width", "Picture width", s.size.x, pixels,
-                [](nodes::Settings& t, double v) { t.size.x = static_cast<int>(v); });
-  settingNumber(editor, "height", "Picture height", s.size.y, pixels,
-                [](nodes::Settings& t, double v) { t.size.y = static_cast<int>(v); });
-  separator(theme);
-  ImGui::PushFont(theme.small);
-  wrapped(palette::kTextFaint, "",
-          fmt::format("{} nodes, {} links", editor.document.graph().nodes.size(),
-                      editor.document.graph().links.size()));
-  wrapped(palette::kTextFaint, "", "Working space " + s.workingSpace);
-  if (editor.viewport.colors)
-    wrapped(palette::kTextFaint, "", "Colour configuration " + editor.viewport.colors->description());
-  ImGui::PopFont();
+  separator(editor.theme);
+  beginRows(editor, "");
+  drawDocumentRows(editor);
+  ImGui::EndChild();
 }
 
+/// Nodes of several types: a list to choose from.
 void drawMany(Editor& editor) {
   const std::set<std::string> names = editor.document.selection();
   ImGui::PushFont(editor.theme.title);
   ImGui::Text("%d nodes", static_cast<int>(names.size()));
   ImGui::PopFont();
-  wrapped(palette::kTextDim, "", "Choose one to see its parameters.");
+  wrapped(palette::kTextDim, "", "Nodes of one type are edited together. Choose one to see its parameters.");
   separator(editor.theme);
-  for (const std::string& name : names)
+  for (const std::string& name : names) {
     if (ImGui::Selectable(name.c_str())) editor.document.select({name});
+    editor.trace.item("choose/" + name);
+  }
+}
+
+void updateRest(PointerRest& rest) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double now = ImGui::GetTime();
+  const bool moved = std::abs(io.MousePos.x - rest.at.x) + std::abs(io.MousePos.y - rest.at.y) > 1.5f;
+  if (moved || io.MouseWheel != 0.0f || ImGui::IsAnyMouseDown()) rest.at = io.MousePos, rest.since = now;
+  rest.short_ = now - rest.since > kShortRest;
+  rest.long_ = now - rest.since > kLongRest;
 }
 
 }  // namespace
 
+Names shownNodes(const Editor& editor) {
+  const nodes::Graph& graph = editor.document.graph();
+  const Parameters& panel = editor.parameters;
+  if (!panel.pinned.empty() && graph.nodes.contains(panel.pinned)) return {panel.pinned};
+  Names names;
+  for (const std::string& name : editor.document.selection()) {
+    const nodes::Node* node = nodes::findNode(graph, name);
+    if (!node) continue;
+    if (!names.empty() && node->type != graph.nodes.at(names.front())->type) return {};
+    names.push_back(name);
+  }
+  return names;
+}
+
+double helpDueIn(const Parameters& panel) {
+  if (!panel.hovered || panel.rest.long_) return 0;
+  const double age = ImGui::GetTime() - panel.rest.since;
+  return std::max(0.02, (age < kShortRest ? kShortRest : kLongRest) - age + 0.01);
+}
+
+bool keysAreTaken(const Parameters& panel) {
+  return panel.numbers.typing || (panel.numbers.active && panel.numbers.moved) || panel.eyedropper.target;
+}
+
+bool onHoveredParam(Editor& editor, void (*run)(Editor&, const ParamTarget&)) {
+  if (editor.hovered != Panel::Parameters || !editor.parameters.hovered) return false;
+  const ParamTarget target = *editor.parameters.hovered;
+  run(editor, target);
+  return true;
+}
+
 void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
   const Theme& theme = editor.theme;
+  Parameters& panel = editor.parameters;
+  panel.min = min;
+  panel.hovered.reset();
+  panel.litParam = std::exchange(panel.nextLit, {});
+  if (!panel.pinned.empty() && !editor.document.graph().nodes.contains(panel.pinned)) panel.pinned.clear();
+  updateRest(panel.rest);
+  updateDisplayColors(editor);
   const ImVec2 pad = {theme.space(3), theme.space(3)};
   ImGui::SetCursorScreenPos({min.x + pad.x, min.y + pad.y});
-  ImGui::BeginChild("parameters", {max.x - min.x - 2 * pad.x, max.y - min.y - 2 * pad.y}, false);
-  const std::set<std::string>& selection = editor.document.selection();
-  if (selection.empty())
+  ImGui::BeginChild("parameters", {max.x - min.x - 1.5f * pad.x, max.y - min.y - 1.5f * pad.y}, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const Names names = shownNodes(editor);
+  if (!names.empty())
+    drawNodes(editor, names);
+  else if (editor.document.selection().empty())
     drawDocument(editor);
-  else if (selection.size() == 1)
-    drawNode(editor, std::string(*selection.begin()));
   else
     drawMany(editor);
   ImGui::EndChild();
+  drawHelpPage(editor);
+  drawEyedropper(editor);
   editor.trace.rect("parameters", min, max);
+  if (panel.hovered) editor.trace.note("hovered param", panel.hovered->key());
 }
 
 }  // namespace pileus::editor

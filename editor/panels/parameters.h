@@ -1,15 +1,32 @@
 #pragma once
 // The parameter panel: the selected node's name, parameters (from its declaration alone), faults and
-// statistics; with nothing selected, the document's settings.
+// statistics; of several nodes of a type what they share; with nothing selected, the document's settings.
 #include <imgui.h>
 
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "editor/panels/color_picker.h"
+#include "editor/panels/display_color.h"
+#include "editor/panels/eyedropper.h"
+#include "editor/panels/file_state.h"
+#include "editor/panels/grid_names.h"
 #include "editor/panels/number_field.h"
+#include "editor/panels/param_edit.h"
+#include "editor/panels/param_help.h"
 
 namespace pileus::editor {
 
 struct Editor;
+
+/// How long the pointer has rested: help appears then.
+struct PointerRest {
+  ImVec2 at{-1, -1};
+  double since = 0;
+  bool short_ = false, long_ = false;
+};
 
 struct Parameters {
   NumberFieldState numbers;
@@ -18,8 +35,34 @@ struct Parameters {
   bool focusName = false;        ///< put the keyboard into the name field at the next drawing
   std::string nameOf, nameText;  ///< the name being edited
   std::string textKey, text;     ///< the text parameter being edited ("Node.param") and its state
+
+  std::string pinned;                    ///< node that is shown whatever is selected; "" or gone = none
+  bool onlyModified = false;             ///< hides what has its default
+  std::optional<ParamTarget> hovered;    ///< row under the pointer, as last drawn: what keys act on
+  std::string litParam, nextLit;         ///< its parameter, this frame and the next
+  std::map<std::string, float> scrolls;  ///< by node
+  std::string scrollOf;                  ///< node whose rows were drawn last
+  ImVec2 min{0, 0};                      ///< of the panel
+  PointerRest rest;
+  DragMemory drag;
+  std::optional<nodes::Settings> settingsBefore;  ///< when a drag of a setting began
+  DisplayColors colors;
+  ColorPicker picker;
+  Eyedropper eyedropper;
+  FileStates files;
+  GridNames grids;
+  HelpPage help;
 };
 
 void drawParameters(Editor& editor, ImVec2 min, ImVec2 max);
+/// What the panel shows: the pinned node, or the selection if it is of one type; else nothing.
+std::vector<std::string> shownNodes(const Editor& editor);
+/// Seconds until help is due under a resting pointer; 0 = none is.
+double helpDueIn(const Parameters& panel);
+
+/// Is something going on in the panel that Esc and letters belong to?
+bool keysAreTaken(const Parameters& panel);
+/// For keys: on the row under the pointer. False: there is none.
+bool onHoveredParam(Editor& editor, void (*run)(Editor&, const ParamTarget&));
 
 }  // namespace pileus::editor

@@ -1,11 +1,13 @@
 #include "editor/actions.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>  // menu rows with icons
 
 #include <algorithm>
 #include <vector>
 
 #include "editor/actions/table.h"
+#include "editor/menu.h"
 
 namespace pileus::editor {
 namespace {
@@ -57,6 +59,12 @@ std::string keyName(int key) {
       return "Up";
     case GLFW_KEY_DOWN:
       return "Down";
+    case GLFW_KEY_KP_ADD:
+      return "Num +";
+    case GLFW_KEY_KP_SUBTRACT:
+      return "Num -";
+    case GLFW_KEY_KP_0:
+      return "Num 0";
     default:
       return "?";
   }
@@ -71,8 +79,8 @@ void run(Editor& editor, const Action& action) {
 std::span<const Action> allActions() {
   static const std::vector<Action> all = [] {
     std::vector<Action> joined;
-    for (const auto part : {fileActions(), editActions(), graphActions(), numberedActions(),
-                            viewportActions(), viewActions(), helpActions()})
+    for (const auto part : {fileActions(), editActions(), graphActions(), lookActions(), numberedActions(),
+                            viewportActions(), displayActions(), parameterActions(), windowActions(), viewActions(), helpActions()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();
@@ -110,7 +118,8 @@ void actionMenuItem(Editor& editor, std::string_view id) {
   const Action* a = findAction(id);
   if (!a) return;
   const bool on = a->checked && a->checked(editor);
-  if (ImGui::MenuItem(a->label, shortcutText(a->keys[0]).c_str(), on, !a->enabled || a->enabled(editor)))
+  if (ImGui::MenuItemEx(a->label, actionIcon(id), shortcutText(a->keys[0]).c_str(), on,
+                        !a->enabled || a->enabled(editor)))
     run(editor, *a);
   editor.trace.item("menu/" + std::string(id));
 }

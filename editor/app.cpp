@@ -6,10 +6,13 @@
 #include <algorithm>
 
 #include "editor/actions.h"
+#include "editor/crash_log.h"
 #include "editor/editor.h"
+#include "editor/end_signals.h"
 #include "editor/files.h"
 #include "editor/look.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/region_view.h"
 #include "editor/panels/viewport_camera.h"
 #include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
@@ -17,31 +20,37 @@
 namespace pileus::editor {
 namespace {
 
+constexpr int kEscape = 256;     // GLFW's code
 constexpr double kSliceMs = 70;  // of refinement between two frames when nothing else happens
 
 /// Keys go to the panel under the pointer, unless a dialog or a text field has them. Esc closes menus and
 /// lists.
 void handleKeys(Editor& editor) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  const bool ours = editor.dialogs.anyOpen() || editor.browser.isOpen();
+  const bool ours = editor.dialogs.anyOpen() || editor.browser.isOpen() || editor.start.open;
   if (popup && !ours && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
     ImGui::ClosePopupToLevel(0, false);
-  if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening) return;
+  if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening || editor.canvas.find.opening) return;
   for (const KeyPress& key : editor.window->keys()) {
     // Esc ends what is going on before it pauses anything.
-    if (editor.canvas.interaction.busy() || editor.parameters.numbers.typing) continue;
+    if (editor.canvas.interaction.busy() || keysAreTaken(editor.parameters) || editor.tour.on()) continue;
+    if (editor.parameters.help.open() && key.key == kEscape) continue;
+    if (key.key == kEscape && cancelRegion(editor)) continue;
     runShortcut(editor, key);
   }
 }
 
 PreviewRequest previewRequest(const Editor& editor) {
   PreviewRequest request;
-  request.graph = editor.document.graph();
+  request.graph = editor.document.root();
   request.revision = editor.document.revision();
   request.view = shownView(editor);
   request.size = editor.viewport.renderSize;
   if (linkedCamera(editor, request.view).empty()) request.freeCamera = editor.viewport.freeCamera;
   request.folder = editor.document.path().parent_path();
+  request.layer = editor.viewport.mode.layer;
+  request.region = wantedRegion(editor);
+  request.draftMs = editor.settings.draftMs;
   return request;
 }
 
@@ -69,7 +78,40 @@ void drawFrame(Editor& editor) {
   handleKeys(editor);
   drawPanels(editor);
   editor.browser.draw(editor);
+  drawStart(editor);
   drawDialogs(editor);
+  drawCommandPalette(editor);
+  drawTour(editor);
+}
+
+/// What a crash report would list.
+void noteEvents(const Editor& editor) {
+  static std::string step;
+  for (const KeyPress& key : editor.window->keys())
+    crash::note(fmt::format("key {}{}{}{}", key.ctrl ? "Ctrl+" : "", key.shift ? "Shift+" : "",
+                            key.alt ? "Alt+" : "", key.key));
+  const ImGuiIO& io = ImGui::GetIO();
+  for (int b = 0; b < 3; ++b)
+    if (ImGui::IsMouseClicked(b)) crash::note(fmt::format("button {} at {:.0f}, {:.0f}", b, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)));
+  if (const std::string label = editor.document.undoLabel(); label != step) {
+    step = label;
+    crash::note("step: " + label);
+    crash::setGraph(editor.document.path().string());
+  }
+}
+
+/// Unsaved work is kept while nothing moves; a program that is ended from outside keeps it at once.
+void protectWork(Editor& editor) {
+  const nodes::Document& d = editor.document;
+  const bool resting = !ImGui::IsAnyMouseDown() && !editor.canvas.interaction.busy();
+  editor.recovery.watch(d.graph(), d.revision(), d.path(), d.dirty(), resting);
+  if (const std::string error = editor.recovery.takeError(); !error.empty())
+    editor.messages.warn("Unsaved work could not be kept for recovery: " + error);
+  if (endSignal() == 0) return;
+  if (d.dirty())
+    if (const Result<void> saved = editor.recovery.saveNow(d.graph(), d.path()); !saved)
+      log::error("{}", saved.error().message);
+  editor.quit = true;
 }
 
 void handleWindow(Editor& editor) {
@@ -77,12 +119,8 @@ void handleWindow(Editor& editor) {
     editor.window->cancelClose();
     if (!editor.dialogs.afterUnsaved) withSavedDocument(editor, [](Editor& e) { e.quit = true; });
   }
-  for (const std::filesystem::path& path : editor.window->takeDroppedFiles()) {
-    if (path.extension() == ".json")
-      withSavedDocument(editor, [path](Editor& e) { openFile(e, path); });
-    else
-      editor.messages.hint("Only graphs (.json) can be dropped here.");
-  }
+  editor.drops.take(editor.window->takeDroppedFiles());
+  editor.drops.step(editor);
   editor.window->setTitle(std::string(editor.document.dirty() ? "\xe2\x80\xa2 " : "") + documentName(editor) +
                           " \xe2\x80\x93 Pileus");
 }
@@ -97,10 +135,13 @@ bool busy(const Editor& editor) {
 double idleSeconds(const Editor& editor, int settling) {
   if (settling > 0 || editor.window->inputPending()) return 0;
   if (busy(editor)) return 0;
+  if (displayWantsFrame(editor)) return 0.004;
   if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
   if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
   if (editor.viewport.wheelEdit) return 0.25;
-  if (editor.messages.visible()) return std::clamp(editor.messages.msLeft() / 1000, 0.05, 30.0);
+  if (const double due = helpDueIn(editor.parameters); due > 0) return due;
+  // A notice is drawn while it fades, and once more when it is gone.
+  if (const double left = editor.messages.msLeft(); left >= 0) return std::clamp((left - 300) / 1000, 0.05, 30.0);
   return 60;
 }
 
@@ -112,12 +153,17 @@ void loop(Editor& editor) {
     followLook(editor);
     editor.window->beginFrame();
     settling = editor.window->hadInput() ? 3 : std::max(0, settling - 1);
+    editor.pictures.beginFrame();
     drawFrame(editor);
+    editor.uiMs = clock.ms() - editor.trace.ms;
+    noteEvents(editor);
+    if (editor.pictures.wantsFrame()) settling = std::max(settling, 1);
     const bool worked = busy(editor), unfinished = !editor.preview.complete();
     evaluate(editor);
     // What the last step of some work has changed is drawn by one frame more.
     if (worked || (unfinished && editor.preview.complete())) settling = std::max(settling, 1);
     handleWindow(editor);
+    protectWork(editor);
     editor.window->endFrame(palette::kBackground);
     editor.trace.end(editor);
     editor.frameMs = clock.ms();
@@ -127,6 +173,8 @@ void loop(Editor& editor) {
 }  // namespace
 
 int runEditor(const EditorOptions& options) {
+  watchEndSignals();
+  crash::install();
   const std::filesystem::path folder = configFolder();
   const Settings settings = loadSettings(folder);
   Result<std::unique_ptr<Window>> window = Window::create("Pileus", settings.window);
@@ -153,7 +201,12 @@ int runEditor(const EditorOptions& options) {
       openPreset(editor, "default.json");
     else
       openFile(editor, options.file);
+    const gl::DeviceInfo& device = editor.renderer->device();
+    crash::setDevice(device.renderer + ", " + device.version);
+    beginStart(editor, options.file.empty() && editor.settings.showStart);
     loop(editor);
+    // Saved or given up, unless somebody else ended the program.
+    if (endSignal() == 0) editor.recovery.discard();
     editor.settings.window = (*window)->size();
     if (const Result<void> saved = saveSettings(folder, editor.settings); !saved)
       log::warn("{}", saved.error().message);

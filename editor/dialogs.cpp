@@ -1,10 +1,11 @@
 #include "editor/dialogs.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "editor/actions.h"
+#include "editor/editor.h"
 #include "editor/files.h"
 #include "editor/icons.h"
 
@@ -16,7 +17,7 @@ bool beginModal(const Editor& editor, const char* title, bool wanted, float widt
   if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.46f}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({editor.theme.px(width), 0});
+  ImGui::SetNextWindowSize({std::min(editor.theme.px(width), display.x - editor.theme.space(4)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {editor.theme.space(5), editor.theme.space(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, editor.theme.px(8));
   const bool open = ImGui::BeginPopupModal(
@@ -114,67 +115,13 @@ void drawError(Editor& editor) {
   ImGui::EndPopup();
 }
 
-void shortcutRow(const Editor& editor, const char* label, const std::string& keys) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(label);
-  ImGui::TableNextColumn();
-  ImGui::PushFont(editor.theme.small);
-  ImGui::TextDisabled("%s", keys.c_str());
-  ImGui::PopFont();
-}
-
-void section(const Editor& editor, const char* title) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::PushFont(editor.theme.strong);
-  ImGui::TextUnformatted(title);
-  ImGui::PopFont();
-  ImGui::TableNextColumn();
-}
-
-void panelShortcuts(const Editor& editor, Panel panel, const char* title) {
-  section(editor, title);
-  for (const Action& a : allActions()) {
-    if (a.panel != panel) continue;
-    std::string keys;
-    for (const Shortcut& s : a.keys)
-      if (s.key) keys += (keys.empty() ? "" : ", ") + shortcutText(s);
-    if (!keys.empty()) shortcutRow(editor, a.label, keys);
-  }
-}
-
 void drawShortcuts(Editor& editor) {
   Dialogs& d = editor.dialogs;
-  if (!beginModal(editor, "Shortcuts", d.shortcuts, 760)) return;
+  const float room = (ImGui::GetIO().DisplaySize.x - editor.theme.space(10)) / editor.theme.scale;
+  if (!beginModal(editor, "Shortcuts", d.shortcuts, std::min(1120.0f, room))) return;
   heading(editor, "Keyboard and mouse");
-  ImGui::TextDisabled("Keys act on the panel under the pointer.");
-  const float height = std::min(editor.theme.px(520), ImGui::GetIO().DisplaySize.y * 0.68f);
-  ImGui::BeginChild("sheet", {0, height});
-  for (const int column : {0, 1}) {
-    if (column == 1) ImGui::SameLine();
-    ImGui::BeginChild(column ? "right" : "left", {column ? 0 : ImGui::GetContentRegionAvail().x * 0.5f, 0});
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingStretchProp)) {
-      if (column == 0) {
-        panelShortcuts(editor, Panel::Global, "Everywhere");
-      } else {
-        panelShortcuts(editor, Panel::Graph, "Graph");
-        shortcutRow(editor, "Pan", "Middle drag, Alt+drag");
-        shortcutRow(editor, "Zoom", "Wheel, Alt+right drag");
-        shortcutRow(editor, "Add to, remove from selection", "Shift, Ctrl");
-        panelShortcuts(editor, Panel::Viewport, "Viewport");
-        shortcutRow(editor, "Orbit", "Drag, Alt+drag");
-        shortcutRow(editor, "Pan", "Middle drag, Shift+drag");
-        shortcutRow(editor, "Dolly", "Wheel, right drag");
-        section(editor, "Values");
-        shortcutRow(editor, "Fine, round steps", "Shift, Ctrl while dragging");
-        shortcutRow(editor, "Type", "Double click, Ctrl+click");
-      }
-      ImGui::EndTable();
-    }
-    ImGui::EndChild();
-  }
-  ImGui::EndChild();
+  drawShortcutSheet(editor);
+  ImGui::Dummy({0, editor.theme.space(1)});
   if (button(editor, "Close", "close", true) || pressedEnter() || pressedEscape()) {
     d.shortcuts = false;
     ImGui::CloseCurrentPopup();
@@ -182,23 +129,56 @@ void drawShortcuts(Editor& editor) {
   ImGui::EndPopup();
 }
 
+struct Fact {
+  const char* what;
+  std::string value;
+};
+
+std::vector<Fact> facts(const Editor& editor) {
+  const gl::DeviceInfo& device = editor.renderer->device();
+  const ivec2 size = editor.window->size();
+  return {{"Version", PILEUS_VERSION},
+          {"Graphics", device.renderer + (device.software ? " (software)" : "")},
+          {"Driver", device.vendor + ", OpenGL " + device.version},
+          {"Window", fmt::format("{} x {} at {:.0f} %, GLFW {}", size.x, size.y, editor.theme.scale * 100,
+                                 Window::systemVersion())},
+          {"Interface", std::string("Dear ImGui ") + ImGui::GetVersion()},
+          {"Textures", fmt::format("{} in 2D, {} in 3D, {} layers", device.maxTextureSize,
+                                   device.max3dTextureSize, device.maxArrayLayers)}};
+}
+
 void drawAbout(Editor& editor) {
   Dialogs& d = editor.dialogs;
-  if (!beginModal(editor, "About", d.about, 440)) return;
+  const Theme& theme = editor.theme;
+  if (!beginModal(editor, "About", d.about, 560)) return;
   heading(editor, "Pileus");
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted("A node-graph editor for volumetric lighting.");
+  ImGui::Dummy({0, theme.space(1)});
+  const std::vector<Fact> all = facts(editor);
+  for (const Fact& f : all) {
+    ImGui::TextDisabled("%s", f.what);
+    ImGui::SameLine(theme.px(120));
+    ImGui::TextUnformatted(f.value.c_str());
+  }
+  ImGui::Dummy({0, theme.space(1)});
+  ImGui::PushFont(theme.small);
   ImGui::TextDisabled(
-      "Licensed under the Apache License 2.0. Fonts: Inter and JetBrains Mono (SIL Open Font License 1.1), "
-      "Fork Awesome (SIL Open Font License 1.1).");
-  ImGui::Dummy({0, editor.theme.px(2)});
-  const gl::DeviceInfo& device = editor.renderer->device();
-  ImGui::TextDisabled("%s\nOpenGL %s", device.renderer.c_str(), device.version.c_str());
+      "Licensed under the Apache License 2.0. Fonts: Inter and JetBrains Mono, Fork Awesome (SIL Open Font "
+      "License 1.1).");
+  ImGui::PopFont();
   ImGui::PopTextWrapPos();
-  ImGui::Dummy({0, editor.theme.space(2)});
+  ImGui::Dummy({0, theme.space(2)});
   if (button(editor, "Close", "close", true) || pressedEnter() || pressedEscape()) {
     d.about = false;
     ImGui::CloseCurrentPopup();
+  }
+  ImGui::SameLine();
+  if (button(editor, "Copy", "copy")) {
+    std::string text = "Pileus\n";
+    for (const Fact& f : all) text += std::string(f.what) + ": " + f.value + "\n";
+    ImGui::SetClipboardText(text.c_str());
+    editor.messages.note("Copied: for a bug report, say.");
   }
   ImGui::EndPopup();
 }
@@ -211,6 +191,7 @@ void drawDialogs(Editor& editor) {
   drawError(editor);
   drawShortcuts(editor);
   drawAbout(editor);
+  if (!editor.dialogs.afterUnsaved) drawQuestions(editor);
 }
 
 }  // namespace pileus::editor

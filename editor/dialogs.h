@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "editor/question.h"
+#include "editor/shortcut_sheet.h"
 #include "nodes/serialize.h"
 
 namespace pileus::editor {
@@ -16,8 +18,12 @@ struct Dialogs {
   std::string faultsOf;                       ///< the file they were found in
   std::string errorTitle, errorText;          ///< not empty: an error that needs reading
   bool shortcuts = false, about = false;
+  ShortcutSheet sheet;
+  Questions questions;  ///< any others, one after the other
 
-  bool anyOpen() const { return afterUnsaved || !faults.empty() || !errorText.empty() || shortcuts || about; }
+  bool anyOpen() const {
+    return afterUnsaved || !faults.empty() || !errorText.empty() || shortcuts || about || questions.open();
+  }
 };
 
 void drawDialogs(Editor& editor);

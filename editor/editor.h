@@ -5,18 +5,26 @@
 #include <string>
 
 #include "editor/compare_mode.h"
+#include "editor/command_palette.h"
 #include "editor/dialogs.h"
+#include "editor/drops.h"
 #include "editor/exporter.h"
 #include "editor/file_browser.h"
 #include "editor/graph_view/canvas.h"
+#include "editor/menu.h"
 #include "editor/messages.h"
 #include "editor/panels/lab.h"
+#include "editor/panels/log.h"
 #include "editor/panels/parameters.h"
 #include "editor/panels/ray_scope.h"
 #include "editor/panels/viewport.h"
 #include "editor/preview.h"
+#include "editor/recovery.h"
 #include "editor/settings.h"
+#include "editor/start_view.h"
 #include "editor/theme.h"
+#include "editor/graph_pictures.h"
+#include "editor/tour.h"
 #include "editor/ui_trace.h"
 #include "editor/window.h"
 #include "nodes/document.h"
@@ -47,14 +55,26 @@ struct Editor {
   CompareMode compare;
   RayScope scope;
   Lab lab;
+  LogPanel logPanel;
   Canvas canvas;
   Parameters parameters;
   FileBrowser browser;
   Dialogs dialogs;
+  CommandPalette commands;
+  MenuBar menuBar;
   Messages messages;
+  Recovery recovery;
+  GraphPictures pictures;
+  Drops drops;
+  StartView start;
+  Tour tour;
+  Key diskStamp{};  ///< of the document's file as it was last read or written here
   UiTrace trace;
+  int frame = 1;                  ///< the current one: where keys are set and values shown
   Panel hovered = Panel::Global;  ///< under the pointer: whose keys act
+  Panel maximised = Panel::Global;  ///< fills the window; Global: none does
   float uiScale = 0;  ///< chosen for this session; 0: the screen's
+  double uiMs = 0;                ///< of it on the interface alone: input and drawing, traces left out
   double frameMs = 0;             ///< of the last frame drawn, evaluation included
   bool quit = false;
 };
@@ -62,6 +82,9 @@ struct Editor {
 /// An edit that may be refused: shows the reason in the status line, returns whether it was made.
 bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label,
              std::string_view mergeKey = {});
+/// The same for the whole document, whatever scope the canvas shows.
+bool tryEditRoot(Editor& editor, Result<nodes::Graph> root, const std::string& label,
+                 std::string_view mergeKey = {});
 /// A different document was put in place: forgets what belonged to the old one.
 void documentReplaced(Editor& editor);
 

@@ -3,13 +3,19 @@
 
 #include "editor/app.h"
 #include "editor/cli/cli.h"
+#include "editor/keyboard.h"
 #include "renderer/volume/vdb_child.h"
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "import") return pileus::volume::importChildMain(argc, argv);
-  return pileus::cli::run(argc, argv, [](const std::filesystem::path& file) {
+  pileus::cli::EditorSide side;
+  side.open = [](const std::filesystem::path& file) {
     pileus::editor::EditorOptions options;
     options.file = file;
     return pileus::editor::runEditor(options);
-  });
+  };
+  side.keys = [](bool markdown) {
+    return markdown ? pileus::editor::keyboardMarkdown() : pileus::editor::keyboardText();
+  };
+  return pileus::cli::run(argc, argv, side);
 }

@@ -82,12 +82,17 @@ void keepLayout(std::vector<NamedLayout>& own, const std::string& name, const Pa
   own.push_back({name, panels});
 }
 
+void clampLengths(PanelLayout& panels) {
+  for (const Length& l : kLengths) panels.*l.value = std::clamp(panels.*l.value, l.least, l.most);
+}
+
 void readLayout(const json& j, PanelLayout& panels) {
   for (const Length& l : kLengths) {
     const auto it = j.find(l.key);
     if (it != j.end() && it->is_number() && std::isfinite(it->get<double>()))
-      panels.*l.value = std::clamp(it->get<double>(), l.least, l.most);
+      panels.*l.value = it->get<double>();
   }
+  clampLengths(panels);
   for (const Switch& s : kSwitches) {
     const auto it = j.find(s.key);
     if (it != j.end() && it->is_boolean()) panels.*s.value = it->get<bool>();

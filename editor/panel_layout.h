@@ -42,6 +42,8 @@ const NamedLayout* findLayout(std::span<const NamedLayout> own, std::string_view
 /// Adds it or replaces the one of that name.
 void keepLayout(std::vector<NamedLayout>& own, const std::string& name, const PanelLayout& panels);
 
+/// Brings every length into the range that can be used.
+void clampLengths(PanelLayout& panels);
 /// Absent or wrong entries keep what `panels` had; lengths are clamped to what can be used.
 void readLayout(const nlohmann::json& j, PanelLayout& panels);
 void writeLayout(nlohmann::json& j, const PanelLayout& panels);

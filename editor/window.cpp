@@ -141,6 +141,8 @@ void Window::installCallbacks() {
   });
 }
 
+const char* Window::systemVersion() { return glfwGetVersionString(); }
+
 float Window::forcedScale() {
   const char* text = std::getenv("PILEUS_UI_SCALE");
   if (!text) return 0;

@@ -41,6 +41,7 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   float screenScale() const { return scale_; }  ///< what the screen asks for, in steps of a quarter
+  static const char* systemVersion();           ///< of the window library
   static float forcedScale();                   ///< $PILEUS_UI_SCALE; 0 = not set
   void startUi();                  ///< after fonts are chosen: creates the GL objects of the interface
   void fontsChanged(float scale);  ///< between frames: the atlas holds other fonts now, for this UI scale

@@ -17,8 +17,12 @@ constexpr Shortcut plain(int key) { return {key, false, false, false}; }
 std::span<const Action> fileActions();
 std::span<const Action> editActions();
 std::span<const Action> graphActions();
+std::span<const Action> lookActions();
 std::span<const Action> numberedActions();
 std::span<const Action> viewportActions();
+std::span<const Action> displayActions();
+std::span<const Action> parameterActions();
+std::span<const Action> windowActions();
 std::span<const Action> viewActions();
 std::span<const Action> helpActions();
 

@@ -51,7 +51,7 @@ int usageError(const std::string& message) {
 
 }  // namespace
 
-int run(int argc, char** argv, const std::function<int(const std::filesystem::path&)>& openEditor) {
+int run(int argc, char** argv, const EditorSide& editor) {
   CLI::App app("Pileus: a node-graph volumetric lighting editor.\n`pileus [FILE]` opens the editor.", "pileus");
   app.footer("Exit codes: 0 done, 1 internal error, 2 bad arguments, 3 bad input or unwritable output,\n"
              "4 no usable GPU or out of GPU memory, 5 cancelled, 6 a given error bound was exceeded.");
@@ -87,6 +87,10 @@ int run(int argc, char** argv, const std::function<int(const std::filesystem::pa
   CLI::App* nodesCommand = app.add_subcommand("nodes", "List every node type and parameter.");
   CLI::Option* markdownFlag = nodesCommand->add_flag("--markdown", markdown, "As docs/nodes.md.");
   nodesCommand->add_flag("--json", json, "Machine-readable.")->excludes(markdownFlag);
+
+  bool keysMarkdown = false;
+  CLI::App* keysCommand = app.add_subcommand("keys", "List the keys and gestures of the editor.");
+  keysCommand->add_flag("--markdown", keysMarkdown, "As docs/keyboard.md.");
 
   CompareOptions compare;
   double maxRelMse = 0;
@@ -150,6 +154,11 @@ int run(int argc, char** argv, const std::function<int(const std::filesystem::pa
   if (*checkCommand) return checkMain(checkFiles);
   if (*infoCommand) return infoMain(info);
   if (*nodesCommand) return nodesMain(markdown ? NodesFormat::Markdown : json ? NodesFormat::Json : NodesFormat::Text);
+  if (*keysCommand) {
+    const std::string text = editor.keys(keysMarkdown);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return 0;
+  }
   if (*compareCommand) {
     if (bound->count()) compare.maxRelMse = maxRelMse;
     return compareMain(compare);
@@ -164,7 +173,7 @@ int run(int argc, char** argv, const std::function<int(const std::filesystem::pa
   }
   if (*tuneCommand) return tuneMain(tune);
   if (*benchCommand) return benchMain(bench);
-  return openEditor(editorFile);
+  return editor.open(editorFile);
 }
 
 }  // namespace pileus::cli

@@ -2,10 +2,16 @@
 // The command line: parses and dispatches. Exit codes are those of pileus::Code.
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace pileus::cli {
 
-/// `openEditor` is called for `pileus [FILE]`; returns the exit code.
-int run(int argc, char** argv, const std::function<int(const std::filesystem::path&)>& openEditor);
+/// What only the window's side of the program can do.
+struct EditorSide {
+  std::function<int(const std::filesystem::path&)> open;  ///< `pileus [FILE]`; returns the exit code
+  std::function<std::string(bool markdown)> keys;         ///< `pileus keys`: the table of commands
+};
+
+int run(int argc, char** argv, const EditorSide& editor);
 
 }  // namespace pileus::cli

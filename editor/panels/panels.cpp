@@ -1,179 +1,231 @@
 #include "editor/panels/panels.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
+#include <string>
 
-#include "editor/editor.h"
+#include "editor/compare_mode.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/canvas_menus.h"
+#include "editor/icons.h"
 #include "editor/menu.h"
 #include "editor/panels/lab.h"
 #include "editor/panels/log.h"
+#include "editor/panels/panel_areas.h"
 #include "editor/panels/parameters.h"
 #include "editor/panels/ray_scope.h"
 #include "editor/panels/status.h"
 #include "editor/panels/viewport.h"
+#include "editor/panels/viewport_camera.h"
+#include "editor/toasts.h"
+#include "editor/widgets.h"
 
 namespace pileus::editor {
 namespace {
 
-struct Rect {
-  ImVec2 min, max;
-};
+constexpr float kBar = 36, kGrip = 6;
 
-struct Areas {
-  Rect viewport, graph, scope, parameters, lab, log, status;
-};
-
-constexpr float kGap = 4;  // design pixels between panels: the splitter
-
-Areas areasOf(const Editor& editor, float top) {
-  const Theme& theme = editor.theme;
-  const Settings& s = editor.settings;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float gap = theme.px(kGap), status = theme.px(26);
-  const float bottom = display.y - status;
-  const float log =
-      s.showLog ? std::min(theme.px(static_cast<float>(s.logHeight)), (bottom - top) * 0.6f) + gap : 0;
-  const float lab = s.showLab ? std::min(theme.px(static_cast<float>(s.labHeight)), (bottom - top - log) * 0.6f) + gap : 0;
-  const float main = bottom - log - lab;
-  const float right = std::clamp(theme.px(static_cast<float>(s.parametersWidth)), theme.px(240),
-                                 std::max(theme.px(240), display.x - theme.px(360)));
-  const float parameters = display.x - right - gap;
-  // The scope leaves the viewport room.
-  const float scope = s.showScope ? std::clamp(theme.px(static_cast<float>(s.scopeWidth)), theme.px(280), std::max(theme.px(280), parameters - theme.px(360))) + gap : 0;
-  const float x = parameters - scope;
-  const float y = std::round(top + (main - top - gap) * static_cast<float>(s.viewportShare));
-  return {{{0, top}, {x, y}},
-          {{0, y + gap}, {x, main}},
-          {{x + gap, top}, {parameters, main}},
-          {{parameters + gap, top}, {display.x, main}},
-          {{0, main + gap}, {display.x, main + lab}},
-          {{0, main + lab + gap}, {display.x, bottom}},
-          {{0, bottom}, display}};
+void drawGraphPanel(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
+  drawCanvas(editor, min, max, hovered);
+  drawCanvasMenu(editor);
+  drawSearch(editor);
+  drawFind(editor);
 }
+
+const PanelInfo kPanels[] = {
+    {Panel::Viewport, "viewport", "Viewport", &PanelLayout::showViewport, kBar, 0, drawViewport},
+    {Panel::Graph, "graph", "Graph", &PanelLayout::showGraph, 0, 0, drawGraphPanel},
+    {Panel::Parameters, "parameters", "Parameters", &PanelLayout::showParameters, 0, 0,
+     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawParameters(e, min, max); }},
+    {Panel::Scope, "scope", "Ray Scope", &PanelLayout::showScope, kBar, kBar,
+     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawRayScope(e, min, max); }},
+    {Panel::Lab, "lab", "Lab", &PanelLayout::showLab, kBar, kBar,
+     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLab(e, min, max); }},
+    {Panel::Timeline, "timeline", "Timeline", &PanelLayout::showTimeline, 0, 0, nullptr},
+    {Panel::Log, "log", "Log", &PanelLayout::showLog, kBar, kBar,
+     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLog(e, min, max); }},
+};
 
 constexpr ImGuiWindowFlags kFixed =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
 
-/// A fixed window without padding for one panel; returns whether the pointer is over it and nothing covers
-/// it.
-bool beginPanel(const char* id, const Rect& r) {
-  ImGui::SetNextWindowPos(r.min);
-  ImGui::SetNextWindowSize({std::max(r.max.x - r.min.x, 1.0f), std::max(r.max.y - r.min.y, 1.0f)});
+/// A fixed window without padding.
+void beginFixed(const char* id, ImVec2 min, ImVec2 max, ImGuiWindowFlags flags) {
+  ImGui::SetNextWindowPos(min);
+  ImGui::SetNextWindowSize({std::max(max.x - min.x, 1.0f), std::max(max.y - min.y, 1.0f)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(id, nullptr, kFixed);
+  ImGui::Begin(id, nullptr, flags);
   ImGui::PopStyleVar(2);
-  return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
-                                ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
 }
 
-/// A strip between panels that can be dragged; returns the pixels moved.
-float splitter(Editor& editor, const char* id, Rect r, bool vertical, bool& released) {
-  const float grow = editor.theme.px(2);
-  if (vertical)
-    r.min.x -= grow, r.max.x += grow;
-  else
-    r.min.y -= grow, r.max.y += grow;
-  ImGui::SetNextWindowPos(r.min);
-  ImGui::SetNextWindowSize({r.max.x - r.min.x, r.max.y - r.min.y});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(id, nullptr,
-               (kFixed | ImGuiWindowFlags_NoBackground) & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::PopStyleVar(2);
-  ImGui::InvisibleButton("grip", {r.max.x - r.min.x, r.max.y - r.min.y});
+bool inside(const PanelRect& r, ImVec2 p) {
+  return p.x >= r.min.x && p.x < r.max.x && p.y >= r.min.y && p.y < r.max.y;
+}
+
+/// The corner that shows, while the pointer is in it or in the panel's bar, buttons to maximise and hide it.
+PanelRect cornerOf(const Editor& editor, const PanelInfo& info, const PanelRect& r) {
+  const Theme& theme = editor.theme;
+  const float size = theme.px(28), right = r.max.x - theme.px(info.inset) - theme.px(4);
+  const float buttons = info.inset > 0 ? 1 : 2;  // those with a button of their own close by that
+  const float top = r.min.y + theme.px(4);
+  return {{right - buttons * size, top}, {right, top + size}};
+}
+
+bool cornerButton(Editor& editor, ImVec2 at, float size, const char* mark, const std::string& trace,
+                  const std::string& help) {
+  const Theme& theme = editor.theme;
+  ImGui::SetCursorScreenPos(at);
+  const bool pressed = ImGui::InvisibleButton(trace.c_str(), {size, size});
+  editor.trace.item(trace);
+  const bool over = ImGui::IsItemHovered();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  if (over) draw->AddRectFilled(at, {at.x + size, at.y + size}, palette::kButtonHover, theme.px(4));
+  drawText(
+      draw, theme.small,
+      {at.x + 0.5f * (size - textWidth(theme.small, mark)), at.y + 0.5f * (size - theme.small->FontSize)},
+      over ? palette::kTextStrong : palette::kTextDim, mark, size);
+  if (over) tooltip(theme, help);
+  return pressed;
+}
+
+/// On top of the panel's own content, in a window of its own so that clicks do not go through.
+void drawCorner(Editor& editor, const PanelInfo& info, const PanelRect& r) {
+  const Theme& theme = editor.theme;
+  const PanelRect corner = cornerOf(editor, info, r);
+  const std::string id = std::string("##corner ") + info.id, trace = std::string("panel/") + info.id;
+  beginFixed(id.c_str(), im(corner.min), im(corner.max),
+             (kFixed | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing) &
+                 ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+  const float size = corner.max.y - corner.min.y;
+  ImGui::GetWindowDrawList()->AddRectFilled(im(corner.min), im(corner.max), palette::kBar, theme.px(4));
+  const bool whole = editor.maximised == info.panel;
+  if (cornerButton(editor, im(corner.min), size, whole ? icon::kCompress : icon::kExpand, trace + "/maximise",
+                   whole ? "Back to all panels (Ctrl+Space)" : "Fill the window (Ctrl+Space)"))
+    toggleMaximised(editor, info.panel);
+  if (info.inset == 0 && cornerButton(editor, {corner.min.x + size, corner.min.y}, size, icon::kTimes,
+                                      trace + "/hide", "Hide; View > Panels brings it back"))
+    setPanelOpen(editor, info.panel, false);
+  ImGui::End();
+}
+
+/// Returns whether the pointer is over the panel and nothing covers it.
+bool drawPanel(Editor& editor, const PanelInfo& info, const PanelRect& r) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool inCorner = inside(cornerOf(editor, info, r), mouse);
+  beginFixed((std::string("##") + info.id).c_str(), im(r.min), im(r.max), kFixed);
+  const bool over =
+      ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  info.draw(editor, im(r.min), im(r.max), ImGui::IsWindowHovered() && !inCorner);
+  // Double click on the empty part of its bar.
+  const PanelRect bar{r.min, {r.max.x, r.min.y + editor.theme.px(info.bar)}};
+  if (info.bar > 0 && over && inside(bar, mouse) && ImGui::IsMouseDoubleClicked(0) &&
+      !ImGui::IsAnyItemHovered())
+    toggleMaximised(editor, info.panel);
+  ImGui::End();
+  const PanelRect band{{std::max(r.min.x, r.max.x - editor.theme.px(180)), r.min.y},
+                       {r.max.x, r.min.y + editor.theme.px(kBar)}};
+  const bool held = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (inside(band, mouse) && (over || inCorner) && (inCorner || !held) && !popup) drawCorner(editor, info, r);
+  return over || (inCorner && !popup);
+}
+
+void drawSplitter(Editor& editor, const PanelSplitter& s) {
+  PanelRect r = s.strip;
+  // Easier to hit than to see.
+  const vec2 more = s.vertical ? vec2(0.5f * (editor.theme.px(kGrip) - (r.max.x - r.min.x)), 0)
+                               : vec2(0, 0.5f * (editor.theme.px(kGrip) - (r.max.y - r.min.y)));
+  r = {r.min - more, r.max + more};
+  beginFixed(s.id, im(r.min), im(r.max),
+             (kFixed | ImGuiWindowFlags_NoBackground) & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::InvisibleButton("grip", im(r.max - r.min));
+  editor.trace.item(s.id);
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   if (active || hovered) {
-    ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
-    ImGui::GetWindowDrawList()->AddRectFilled(r.min, r.max, active ? palette::kAccent : palette::kAccentDim);
+    ImGui::SetMouseCursor(s.vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled(im(s.strip.min), im(s.strip.max),
+                                              active ? palette::kAccent : palette::kAccentDim);
   }
-  released |= ImGui::IsItemDeactivated();
-  editor.trace.item(id);
+  double& length = editor.settings.*s.length;
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+    length = PanelLayout{}.*s.length;
+  } else if (active) {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    length += static_cast<double>(s.vertical ? moved.x : moved.y) * s.perPixel;
+    clampLengths(editor.settings);
+  }
   ImGui::End();
-  const ImVec2 moved = ImGui::GetIO().MouseDelta;
-  return !active ? 0 : vertical ? moved.x : moved.y;
-}
-
-void drawSplitters(Editor& editor, const Areas& a) {
-  Settings& s = editor.settings;
-  const double scale = static_cast<double>(editor.theme.scale);
-  bool released = false;
-  const float dx =
-      splitter(editor, "splitter/parameters",
-               {{a.parameters.min.x - editor.theme.px(kGap), a.viewport.min.y}, {a.parameters.min.x, a.graph.max.y}}, true, released);
-  s.parametersWidth = std::clamp(s.parametersWidth - static_cast<double>(dx) / scale, 240.0, 900.0);
-  if (s.showScope) {
-    const float ds = splitter(editor, "splitter/scope", {{a.viewport.max.x, a.viewport.min.y}, {a.scope.min.x, a.graph.max.y}}, true, released);
-    s.scopeWidth = std::clamp(s.scopeWidth - static_cast<double>(ds) / scale, 280.0, 1200.0);
-  }
-  const float dy =
-      splitter(editor, "splitter/graph",
-               {{a.viewport.min.x, a.viewport.max.y}, {a.viewport.max.x, a.graph.min.y}}, false, released);
-  const double height = static_cast<double>(std::max(a.graph.max.y - a.viewport.min.y, 1.0f));
-  s.viewportShare = std::clamp(s.viewportShare + static_cast<double>(dy) / height, 0.15, 0.85);
-  if (s.showLab) {
-    const float dl = splitter(editor, "splitter/lab", {{0, a.graph.max.y}, {a.lab.max.x, a.lab.min.y}}, false, released);
-    s.labHeight = std::clamp(s.labHeight - static_cast<double>(dl) / scale, 160.0, 1000.0);
-  }
-  if (s.showLog) {
-    const float dl = splitter(editor, "splitter/log", {{0, a.log.min.y - editor.theme.px(kGap)}, {a.log.max.x, a.log.min.y}},
-                              false, released);
-    s.logHeight = std::clamp(s.logHeight - static_cast<double>(dl) / scale, 60.0, 800.0);
-  }
 }
 
 }  // namespace
 
+std::span<const PanelInfo> allPanels() { return kPanels; }
+
+const PanelInfo& panelInfo(Panel panel) {
+  for (const PanelInfo& info : kPanels)
+    if (info.panel == panel) return info;
+  return kPanels[0];
+}
+
+bool panelOpen(const Editor& editor, Panel panel) {
+  if (panel == Panel::Global) return true;
+  return editor.settings.*panelInfo(panel).shown &&
+         (editor.maximised == Panel::Global || editor.maximised == panel);
+}
+
+void setPanelOpen(Editor& editor, Panel panel, bool open) {
+  const PanelInfo& info = panelInfo(panel);
+  if (panel == Panel::Global || !info.draw) return;
+  editor.settings.*info.shown = open;
+  if (!open && (panel == Panel::Viewport || panel == Panel::Graph))
+    editor.settings.*panelInfo(panel == Panel::Viewport ? Panel::Graph : Panel::Viewport).shown = true;
+  if (panel == Panel::Scope && !open) editor.scope.picking = false;
+  editor.maximised = Panel::Global;
+}
+
+void toggleMaximised(Editor& editor, Panel panel) {
+  if (editor.maximised != Panel::Global)
+    editor.maximised = Panel::Global;
+  else if (panel != Panel::Global)
+    editor.maximised = panel;
+}
+
+void revealPanel(Editor& editor, Panel panel) {
+  if (!panelOpen(editor, panel)) setPanelOpen(editor, panel, true);
+}
+
+void useLayout(Editor& editor, std::string_view name) {
+  const NamedLayout* layout = findLayout(editor.settings.layouts, name);
+  if (!layout) return;
+  static_cast<PanelLayout&>(editor.settings) = layout->panels;
+  editor.maximised = Panel::Global;
+  // The layout for comparing is of little use without a comparison.
+  if (name == "Compare" && !editor.compare.on && !shownView(editor).empty()) toggleCompare(editor);
+}
+
 void drawPanels(Editor& editor) {
   const float top = drawMenuBar(editor);
-  const Areas a = areasOf(editor, top);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float bottom = std::max(display.y - editor.theme.px(26), top + 1);
+  // A panel that was closed in another way while it filled the window gives it back.
+  if (editor.maximised != Panel::Global && !(editor.settings.*panelInfo(editor.maximised).shown))
+    editor.maximised = Panel::Global;
+  PanelLayout layout = editor.settings;
+  for (const PanelInfo& info : kPanels)
+    if (!info.draw) layout.*info.shown = false;
+  const PanelAreas areas = panelAreas(layout, editor.maximised, {0, top}, {display.x, bottom}, editor.theme);
   Panel hovered = Panel::Global;
-  const auto over = [&](bool is, Panel panel) {
-    if (is) hovered = panel;
-    return is;
-  };
-
-  over(beginPanel("##viewport", a.viewport), Panel::Viewport);
-  drawViewport(editor, a.viewport.min, a.viewport.max, ImGui::IsWindowHovered());
+  for (const PanelInfo& info : kPanels)
+    if (info.draw && !areas[info.panel].empty() && drawPanel(editor, info, areas[info.panel]))
+      hovered = info.panel;
+  beginFixed("##status", {0, bottom}, display, kFixed);
+  drawStatusLine(editor, {0, bottom}, display);
   ImGui::End();
-
-  over(beginPanel("##graph", a.graph), Panel::Graph);
-  drawCanvas(editor, a.graph.min, a.graph.max, ImGui::IsWindowHovered());
-  drawCanvasMenu(editor);
-  drawSearch(editor);
-  ImGui::End();
-
-  if (editor.settings.showScope) {
-    over(beginPanel("##scope", a.scope), Panel::Scope);
-    drawRayScope(editor, a.scope.min, a.scope.max);
-    ImGui::End();
-  }
-
-  over(beginPanel("##parameters", a.parameters), Panel::Parameters);
-  drawParameters(editor, a.parameters.min, a.parameters.max);
-  ImGui::End();
-
-  if (editor.settings.showLab) {
-    over(beginPanel("##lab", a.lab), Panel::Lab);
-    drawLab(editor, a.lab.min, a.lab.max);
-    ImGui::End();
-  }
-
-  if (editor.settings.showLog) {
-    over(beginPanel("##log", a.log), Panel::Log);
-    drawLog(editor, a.log.min, a.log.max);
-    ImGui::End();
-  }
-  beginPanel("##status", a.status);
-  drawStatusLine(editor, a.status.min, a.status.max);
-  ImGui::End();
-  drawSplitters(editor, a);
+  for (const PanelSplitter& s : areas.splitters) drawSplitter(editor, s);
+  drawToasts(editor, {display.x, bottom});
   editor.hovered = hovered;
 }
 

@@ -9,6 +9,8 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
+#include "editor/panels/log.h"
+#include "editor/widgets.h"
 #include "renderer/view/picture.h"
 
 namespace pileus::editor {
@@ -69,26 +71,51 @@ void drawExport(Editor& editor, ImVec2 min, ImVec2 max) {
            text, max.x - x - bar);
 }
 
+/// Warnings and errors since the log was cleared; a click shows them. Returns where it ends.
+float drawCounts(Editor& editor, ImVec2 min, ImVec2 max) {
+  const Theme& theme = editor.theme;
+  struct Count {
+    log::Level level;
+    const char* mark;
+    ImU32 ink;
+    const char* trace;
+  };
+  float x = min.x + theme.space(2);
+  for (const Count& c : {Count{log::Level::Error, icon::kError, palette::kError, "status/errors"},
+                         Count{log::Level::Warning, icon::kWarning, palette::kWarning, "status/warnings"}}) {
+    const std::size_t n = editor.logPanel.count(c.level);
+    if (n == 0) continue;
+    const std::string text = fmt::format("{} {}", c.mark, n);
+    const float width = textWidth(theme.small, text) + 2 * theme.space(2);
+    ImGui::SetCursorScreenPos({x, min.y});
+    if (ImGui::InvisibleButton(c.trace, {width, max.y - min.y})) showLog(editor, c.level);
+    editor.trace.item(c.trace);
+    if (ImGui::IsItemHovered()) {
+      ImGui::GetWindowDrawList()->AddRectFilled({x, min.y + theme.px(2)}, {x + width, max.y - theme.px(2)},
+                                                palette::kButtonHover, theme.px(4));
+      tooltip(theme, c.level == log::Level::Error ? "Errors in the log" : "Warnings in the log");
+    }
+    drawText(ImGui::GetWindowDrawList(), theme.small,
+             {x + theme.space(2), 0.5f * (min.y + max.y - theme.small->FontSize)}, c.ink, text, width);
+    x += width;
+  }
+  return x;
+}
+
 void drawMessage(Editor& editor, ImVec2 min, ImVec2 max, float right) {
   const Theme& theme = editor.theme;
-  if (!editor.messages.visible()) return;
-  const log::Level level = editor.messages.level();
-  const bool error = level == log::Level::Error, warning = level == log::Level::Warning;
-  const ImU32 ink = error ? palette::kError : warning ? palette::kWarning : palette::kText;
-  const char* mark = error ? icon::kError : warning ? icon::kWarning : icon::kCheck;
-  std::string text = std::string(mark) + "  " + editor.messages.text();
+  if (!editor.messages.lineVisible()) return;
+  const bool hint = editor.messages.lineLevel() == log::Level::Warning;
+  std::string text = editor.messages.line();
   std::replace(text.begin(), text.end(), '\n', ' ');
-  const float width = drawText(ImGui::GetWindowDrawList(), theme.small,
-                               {min.x + theme.space(3), 0.5f * (min.y + max.y - theme.small->FontSize)}, ink,
-                               text, right - min.x - theme.space(6));
-  if (ImGui::IsMouseHoveringRect(min, {min.x + theme.space(3) + width, max.y})) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(theme.px(520));
-    ImGui::TextUnformatted(editor.messages.text().c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-  }
-  editor.trace.note("status", editor.messages.text());
+  if (hint) text = std::string(icon::kWarning) + "  " + text;
+  const float width =
+      drawText(ImGui::GetWindowDrawList(), theme.small,
+               {min.x + theme.space(2), 0.5f * (min.y + max.y - theme.small->FontSize)},
+               hint ? palette::kWarning : palette::kTextDim, text, right - min.x - theme.space(6));
+  if (ImGui::IsMouseHoveringRect(min, {min.x + theme.space(2) + width, max.y}) && ImGui::IsWindowHovered())
+    tooltip(theme, editor.messages.line());
+  editor.trace.note("status", editor.messages.line());
 }
 
 void timesTooltip(const Editor& editor, const std::vector<NodeTime>& times) {
@@ -132,10 +159,11 @@ void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max) {
                               palette::kTextDim, text, max.x - right - theme.space(3) + 1);
   if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && !times.empty())
     timesTooltip(editor, times);
+  const float left = drawCounts(editor, min, max);
   if (editor.exporter.active())
-    drawExport(editor, min, {right, max.y});
+    drawExport(editor, {left, min.y}, {right, max.y});
   else
-    drawMessage(editor, min, max, right);
+    drawMessage(editor, {left, min.y}, max, right);
   editor.trace.rect("status", min, max);
 }
 

@@ -55,22 +55,50 @@ struct Point {
 
 class UiSession {
  public:
-  UiSession(ivec2 screen, const std::vector<std::string>& arguments)
-      : screen_(screen), folder_(scratchFolder()) {
+  /// `settings` joins those every session starts with; `home`: the folder of an earlier session, to go on
+  /// with what it left. `environment`: "NAME=value", after those of every session.
+  UiSession(ivec2 screen, const std::vector<std::string>& arguments, const json& settings = json::object(),
+            const std::filesystem::path& home = {}, const std::vector<std::string>& environment = {})
+      : screen_(screen), folder_(home.empty() ? scratchFolder() : home) {
     std::filesystem::create_directories(folder_ / "config" / "pileus");
-    std::ofstream(folder_ / "config" / "pileus" / "settings.json")
-        << json{{"window", {screen.x, screen.y}}}.dump();
+    const std::filesystem::path file = folder_ / "config" / "pileus" / "settings.json";
+    json all_settings = {{"window", {screen.x, screen.y}}, {"showStart", false}};
+    if (!home.empty() && std::filesystem::exists(file)) all_settings = json::parse(textOf(file));
+    all_settings.update(settings);
+    std::ofstream(file) << all_settings.dump();
+    std::filesystem::remove(tracePath());
     if (!startServer()) return;
     std::vector<std::string> all{PILEUS_BINARY};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    app_ =
-        launch(all,
-               {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1",
-                "PILEUS_UI_TRACE=" + tracePath().string(), "XDG_CONFIG_HOME=" + (folder_ / "config").string(),
-                "XDG_CACHE_HOME=" + (folder_ / "cache").string()},
-               folder_ / "app.log");
+    std::vector<std::string> variables{display_,
+                                       "LIBGL_ALWAYS_SOFTWARE=1",
+                                       "PILEUS_UI_SCALE=1",
+                                       "PILEUS_UI_TRACE=" + tracePath().string(),
+                                       "XDG_CONFIG_HOME=" + (folder_ / "config").string(),
+                                       "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
+                                       "XDG_STATE_HOME=" + (folder_ / "state").string(),
+                                       "HOME=" + folder_.string()};
+    variables.insert(variables.end(), environment.begin(), environment.end());
+    app_ = launch(all, variables, folder_ / "app.log");
     running_ =
         waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
+  }
+  /// A second window on another session's screen, `below` pixels down; that session must live longer.
+  UiSession(const UiSession& other, int below, ivec2 size, const std::vector<std::string>& arguments)
+      : screen_(other.screen_), folder_(scratchFolder()), display_(other.display_), below_(below) {
+    std::filesystem::create_directories(folder_ / "config" / "pileus");
+    std::ofstream(folder_ / "config" / "pileus" / "settings.json") << json{{"window", {size.x, size.y}}}.dump();
+    std::vector<std::string> all{PILEUS_BINARY};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    app_ = launch(all,
+                  {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1", "PILEUS_UI_TRACE=" + tracePath().string(),
+                   "XDG_CONFIG_HOME=" + (folder_ / "config").string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()},
+                  folder_ / "app.log");
+    running_ = waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
+    const RunResult found = run({"xdotool", "search", "--pid", std::to_string(app_)}, 20, {display_});
+    std::string id = found.out.substr(0, found.out.find('\n'));
+    input({"windowmove", id, "0", std::to_string(below)});
+    pause(0.3);
   }
   ~UiSession() {
     for (const pid_t pid : {app_, server_}) {
@@ -81,6 +109,7 @@ class UiSession {
   }
   UiSession(const UiSession&) = delete;
 
+  const std::filesystem::path& folder() const { return folder_; }  ///< of configuration, cache and state
   bool running() const { return running_; }
   pid_t process() const { return app_; }
   std::string log() const { return textOf(folder_ / "app.log"); }
@@ -147,7 +176,7 @@ class UiSession {
     if (r.exitCode != 0) ADD_FAILURE() << "xdotool failed: " << r.err;
   }
   void move(Point p) const {
-    input({"mousemove", std::to_string(std::lround(p.x)), std::to_string(std::lround(p.y))});
+    input({"mousemove", std::to_string(std::lround(p.x)), std::to_string(std::lround(p.y) + below_)});
   }
   void click(Point p, int button = 1) const {
     move(p);
@@ -156,10 +185,10 @@ class UiSession {
     pause(0.15);
   }
   void click(const std::string& rect, int button = 1) const { click(center(rect), button); }
-  void press(Point p) const {
+  void press(Point p, int button = 1) const {
     move(p);
     pause(0.15);
-    input({"mousedown", "1"});
+    input({"mousedown", std::to_string(button)});
     pause(0.15);
   }
   void dragTo(Point from, Point to) const {
@@ -169,14 +198,31 @@ class UiSession {
     }
     pause(0.3);
   }
-  void release() const {
-    input({"mouseup", "1"});
+  void release(int button = 1) const {
+    input({"mouseup", std::to_string(button)});
     pause(0.15);
   }
   void drag(Point from, Point to) const {
     press(from);
     dragTo(from, to);
     release();
+  }
+  /// With keys held down meanwhile, "ctrl", "y" ...; `during` looks at the screen before the button is released.
+  void drag(Point from, Point to, const std::vector<std::string>& held, int button = 1,
+            const std::function<void()>& during = {}) const {
+    for (const std::string& k : held) input({"keydown", k});
+    press(from, button);
+    dragTo(from, to);
+    if (during) during();
+    release(button);
+    for (const std::string& k : held) input({"keyup", k});
+    pause(0.15);
+  }
+  void click(Point p, const std::vector<std::string>& held, int button = 1) const {
+    for (const std::string& k : held) input({"keydown", k});
+    click(p, button);
+    for (const std::string& k : held) input({"keyup", k});
+    pause(0.15);
   }
   void key(const std::string& name) const {
     input({"key", name});
@@ -256,6 +302,7 @@ class UiSession {
   std::string display_;
   pid_t server_ = 0, app_ = 0;
   bool running_ = false;
+  int below_ = 0;  ///< where the window lies on the screen
 };
 
 }  // namespace pileus::test

@@ -21,7 +21,8 @@ void UiTrace::end(const Editor& editor) {
   j["notes"] = notes_;
   const nodes::Document& document = editor.document;
   // The document in its own file format: what a save would write.
-  j["document"] = json::parse(nodes::graphText(document.graph()), nullptr, false);
+  j["document"] = json::parse(nodes::graphText(document.root()), nullptr, false);
+  j["scope"] = document.scope();
   j["selection"] = document.selection();
   j["dirty"] = document.dirty();
   j["path"] = document.path().string();
@@ -33,7 +34,9 @@ void UiTrace::end(const Editor& editor) {
   j["message"] = editor.messages.text();
   std::string text = j.dump(1, ' ', false, json::error_handler_t::replace);
   if (text == last_) return;
-  if (writeFileAtomic(path_, text)) last_ = std::move(text);
+  last_ = std::move(text);
+  j["uiMs"] = editor.uiMs;  // differs every time: no reason to write
+  if (!writeFileAtomic(path_, j.dump(1, ' ', false, json::error_handler_t::replace))) last_.clear();
 }
 
 }  // namespace pileus::editor

@@ -18,7 +18,7 @@ class UiTrace {
   /// Reads the environment.
   UiTrace();
   bool on() const { return !path_.empty(); }
-  void begin() { rects_.clear(), notes_.clear(); }
+  void begin() { rects_.clear(), notes_.clear(), ms = 0; }
   /// "node/Sun", "socket/Sun/out/light", "param/extinction", "menu/file.save", "search/0": a name's rectangle
   /// this frame.
   void rect(std::string name, ImVec2 min, ImVec2 max) {
@@ -34,6 +34,8 @@ class UiTrace {
   }
   /// Writes the file if anything differs from the last one.
   void end(const Editor& editor);
+
+  double ms = 0;  ///< spent this frame on what only a trace needs
 
  private:
   std::filesystem::path path_;

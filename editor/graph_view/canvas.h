@@ -5,20 +5,48 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "editor/graph_view/canvas_overlays.h"
+#include "editor/graph_view/find_nodes.h"
 #include "editor/graph_view/interaction.h"
+#include "editor/graph_view/layout_cache.h"
+#include "editor/graph_view/minimap.h"
 #include "editor/graph_view/move_gesture.h"
 #include "editor/graph_view/node_search.h"
+#include "editor/graph_view/thumbnails.h"
 #include "editor/viewed_node.h"
 
 namespace pileus::editor {
 
+struct CanvasView;
 struct Editor;
+
+/// A frame's title while it is typed.
+struct FrameTitleField {
+  std::size_t frame = 0;
+  std::string text;
+  bool opening = false;
+};
+
+/// How a scope was left.
+struct ScopeMemory {
+  dvec2 center{0};
+  int level = -1;
+  std::set<std::string> selection;
+};
 
 struct Canvas {
   Interaction interaction;
   NodeSearch search;
+  FindNodes find;
+  CanvasOverlays overlays;
+  Minimap minimap;
+  LayoutCache cache;
+  ThumbnailChoice thumbnails;
+  Thumbnails pictures;
   dvec2 center{0};                               ///< canvas units at the panel's middle
   int level = -1;                                ///< index into Theme::zoomLevels; -1: not chosen yet
   float zoomRest = 0;                            ///< part of a level not yet stepped
@@ -31,9 +59,12 @@ struct Canvas {
   /// While a link is dragged: why each socket refuses it; sockets that accept are not in it.
   std::map<std::string, std::string> refusals;
   MoveGesture moving;
-  std::string selectedFrame;  ///< apart from nodes, as links; "" = none
-  Hit menuHit;                ///< what the context menu is about
-  vec2 menuAt{0};             ///< screen pixels
+  std::map<std::vector<std::string>, ScopeMemory> scopes;
+  std::vector<std::string> scope;            ///< shown last: undo may have changed the document's
+  std::optional<std::size_t> selectedFrame;  ///< apart from nodes, as links
+  std::optional<FrameTitleField> frameTitle;
+  Hit menuHit;     ///< what the context menu is about
+  vec2 menuAt{0};  ///< screen pixels
   bool menuOpening = false;
   dvec2 pastedAt{0};  ///< where the last paste was asked for
   int pastes = 0;     ///< in that place
@@ -42,6 +73,9 @@ struct Canvas {
 
 /// Key of a socket in Canvas::refusals.
 std::string socketKey(std::string_view node, std::string_view socket, bool input);
+
+/// The canvas as it is on the screen.
+CanvasView canvasView(const Editor& editor, ImDrawList* draw = nullptr);
 
 void drawCanvas(Editor& editor, ImVec2 min, ImVec2 max, bool hovered);
 

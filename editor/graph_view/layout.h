@@ -1,5 +1,8 @@
 #pragma once
-// Where nodes and sockets lie, in canvas units: pure geometry of a graph, shared by drawing and hit testing.
+// Where nodes, sockets and links lie, in canvas units: pure geometry of a graph, shared by drawing and hit
+// testing.
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,28 +15,57 @@ struct SocketPlace {
   std::string id, label;
   nodes::SocketType type = nodes::SocketType::Number;
   bool known = true;  ///< false: of an unknown node type, inferred from links
+  bool any = false;   ///< takes anything: its type is a guess
   bool input = true, many = false, required = false;
-  vec2 at{0};  ///< the dot's centre
+  bool linked = false;  ///< by a link that exists, muted or not
+  std::string value;    ///< of a parameter shown as a socket: what it holds while nothing is linked
+  vec2 at{0};           ///< the dot's centre
 };
+
+/// What a node's picture shows.
+enum class Thumbnail { None, Image, Map };
 
 struct NodePlace {
   std::string name;
-  const nodes::Node* node = nullptr;      ///< of the graph laid out; valid as long as it lives
+  nodes::NodePtr node;
   const nodes::NodeType* type = nullptr;  ///< null: unknown type
   vec2 min{0}, max{0};
-  float header = 0;  ///< height of the title bar
+  bool dot = false;                       ///< a point on a link
+  float header = 0;                       ///< height of the title bar
+  Thumbnail thumbnail = Thumbnail::None;  ///< shown below the sockets
+  vec2 pictureMin{0}, pictureMax{0};      ///< room for it
   std::vector<SocketPlace> sockets;
+};
+
+struct LinkPlace {
+  int link = 0;          ///< index into the graph's links
+  int from = 0, to = 0;  ///< indices into Layout::nodes
+  vec2 a{0}, b{0};       ///< ends
+  nodes::SocketType type = nodes::SocketType::Number;
 };
 
 struct Layout {
   std::vector<NodePlace> nodes;  ///< back to front: selected ones last
+  std::vector<LinkPlace> links;  ///< of those whose sockets exist, in the graph's order
+  std::vector<int> byName;       ///< indices into nodes, by name
 };
 
 inline constexpr float kNodeWidth = 188, kHeaderHeight = 30, kRowHeight = 24, kNodePadding = 7,
-                       kSocketRadius = 5.5f;
+                       kSocketRadius = 5.5f, kDotWidth = 44, kDotHeight = 24;
+
+/// Which nodes show a picture of what they made.
+struct ThumbnailChoice {
+  bool all = false;
+  std::set<std::string> exceptions;
+  bool shows(const std::string& node) const { return all != exceptions.contains(node); }
+  bool operator==(const ThumbnailChoice&) const = default;
+};
+/// What kind of picture a node of this type can show.
+Thumbnail thumbnailKind(const nodes::NodeType& type);
 
 /// `raised` nodes are drawn, and hit, above the others.
-Layout layoutGraph(const nodes::Graph& graph, const std::set<std::string>& raised);
+Layout layoutGraph(const nodes::Graph& graph, const std::set<std::string>& raised,
+                   const ThumbnailChoice& thumbnails = {});
 const NodePlace* findPlace(const Layout& layout, std::string_view node);
 const SocketPlace* findSocket(const NodePlace& place, std::string_view socket, bool input);
 

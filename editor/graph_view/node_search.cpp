@@ -7,11 +7,14 @@
 #include <numeric>
 
 #include "editor/editor.h"
+#include "editor/graph_view/canvas_menus.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/fuzzy.h"
-#include "editor/graph_view/graph_edits.h"
 #include "editor/graph_view/layout.h"
+#include "editor/graph_view/search_chips.h"
 #include "editor/icons.h"
+#include "editor/widgets.h"
+#include "nodes/graph_edits.h"
 
 namespace pileus::editor {
 namespace {
@@ -39,7 +42,7 @@ void addChosen(Editor& editor, const SearchItem& item) {
   }
   if (added && !search.link && editor.canvas.selectedLink) {
     // A new node goes into the selected link where it fits.
-    if (Result<nodes::Graph> inserted = insertOnLink(*added, *editor.canvas.selectedLink, name)) {
+    if (Result<nodes::Graph> inserted = nodes::insertOnLink(*added, name, *editor.canvas.selectedLink)) {
       added = std::move(inserted);
       label = "Insert " + name;
     }
@@ -89,6 +92,25 @@ void moveChosen(NodeSearch& search, int count) {
   if (search.chosen != before) search.scrollToChosen = true;
 }
 
+/// Everything else that the canvas can do, for those who came with a right click.
+void drawMore(Editor& editor, float width) {
+  const Theme& theme = editor.theme;
+  const float height = ImGui::GetItemRectSize().y;
+  ImGui::SameLine(0, 0);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("more", {width, height})) {
+    ImGui::CloseCurrentPopup();
+    openCanvasMenu(editor, {}, editor.canvas.search.at);
+  }
+  editor.trace.item("search/more");
+  const ImU32 ink = ImGui::IsItemHovered() ? palette::kTextStrong : palette::kTextDim;
+  if (ImGui::IsItemHovered()) tooltip(theme, "All commands of the canvas");
+  drawText(ImGui::GetWindowDrawList(), theme.body,
+           {at.x + 0.5f * (width - textWidth(theme.body, icon::kList)),
+            at.y + 0.5f * (height - theme.body->FontSize)},
+           ink, icon::kList, width);
+}
+
 void drawField(Editor& editor) {
   NodeSearch& search = editor.canvas.search;
   const Theme& theme = editor.theme;
@@ -96,7 +118,8 @@ void drawField(Editor& editor) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float indent = theme.space(6);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
-  ImGui::SetNextItemWidth(-1);
+  const float more = search.link ? 0 : theme.px(32);  // room for the way to the other commands
+  ImGui::SetNextItemWidth(more > 0 ? -more : -1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const std::string before = search.query;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
@@ -104,6 +127,7 @@ void drawField(Editor& editor) {
                            &search.query);
   ImGui::PopStyleColor();
   editor.trace.item("search/field");
+  if (more > 0) drawMore(editor, more);
   if (search.query != before) search.chosen = 0, search.scrollToChosen = true;
   draw->AddText(theme.body, theme.body->FontSize, {at.x + theme.px(5), at.y + theme.px(5)}, palette::kTextDim,
                 icon::kSearch);
@@ -183,7 +207,7 @@ void drawSearch(Editor& editor) {
   if (search.opening) {
     ImGui::OpenPopup(kPopup);
     search.opening = false;
-    const float height = theme.px(60 + 40 * std::clamp(static_cast<float>(search.items.size()), 1.0f, kRows));
+    const float height = theme.px(130 + 40 * std::clamp(static_cast<float>(search.items.size()), 1.0f, kRows));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(
         {std::clamp(search.at.x - theme.px(20), 4.0f, std::max(4.0f, display.x - theme.px(kWidth) - 4)),
@@ -194,7 +218,12 @@ void drawSearch(Editor& editor) {
   search.open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
   if (search.open) {
     drawField(editor);
-    const std::vector<int> ranked = rankItems(search.items, search.query, editor.settings.recentNodes);
+    drawCategoryChips(editor);
+    std::vector<int> ranked = rankItems(search.items, search.query, editor.settings.recentNodes);
+    if (!search.category.empty())
+      std::erase_if(ranked, [&](int i) {
+        return search.items[static_cast<std::size_t>(i)].type->category != search.category;
+      });
     moveChosen(search, static_cast<int>(ranked.size()));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const float rows = std::clamp(static_cast<float>(ranked.size()), 1.0f, kRows);
@@ -214,6 +243,7 @@ void drawSearch(Editor& editor) {
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
+    drawSearchKeys(editor, width);
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
     if (enter && !ranked.empty()) {

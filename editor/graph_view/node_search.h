@@ -36,6 +36,7 @@ struct NodeSearch {
   vec2 place{0};  ///< canvas position of the new node, or of its linked socket
   std::optional<LinkDrag> link;
   std::string query;
+  std::string category;  ///< "" = all
   int chosen = 0;
   bool scrollToChosen = false;
   std::vector<SearchItem> items;

@@ -1,0 +1,13 @@
+#pragma once
+// Tidying the selected nodes, each as one step of undo.
+#include "editor/graph_view/arrange.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+void arrangeNodes(Editor& editor);  ///< all of them where none is selected
+void alignNodes(Editor& editor, Align how);
+void distributeNodes(Editor& editor, bool horizontal);
+
+}  // namespace pileus::editor

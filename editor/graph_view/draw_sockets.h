@@ -1,0 +1,9 @@
+#pragma once
+// Draws the sockets of a node with their labels and values.
+#include "editor/graph_view/draw_node.h"
+
+namespace pileus::editor {
+
+void drawSockets(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look);
+
+}  // namespace pileus::editor

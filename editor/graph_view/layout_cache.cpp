@@ -1,0 +1,27 @@
+#include "editor/graph_view/layout_cache.h"
+
+#include "editor/editor.h"
+
+namespace pileus::editor {
+
+std::shared_ptr<const Layout> shownLayout(Editor& editor) {
+  Canvas& canvas = editor.canvas;
+  LayoutCache& cache = canvas.cache;
+  const MoveGesture& moving = canvas.moving;
+  canvas.thumbnails.all = editor.settings.showThumbnails;
+  // A frame that is dragged changes what no counter tells.
+  const bool same = cache.layout && cache.revision == editor.document.graphRevision() &&
+                    cache.moving == moving.active && !moving.frame && cache.moved == moving.by &&
+                    cache.raised == editor.document.selection() && cache.thumbnails == canvas.thumbnails;
+  if (same) return cache.layout;
+  cache.layout = std::make_shared<const Layout>(
+      layoutGraph(shownGraph(editor), editor.document.selection(), canvas.thumbnails));
+  cache.revision = editor.document.graphRevision();
+  cache.moving = moving.active;
+  cache.moved = moving.by;
+  cache.raised = editor.document.selection();
+  cache.thumbnails = canvas.thumbnails;
+  return cache.layout;
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,28 @@
+#pragma once
+// What hangs below a node: the error it made, the node it waits for, a warning, progress, and its costs.
+#include <string>
+
+#include "editor/graph_view/draw_node.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+enum class FooterKind { None, Failed, Follower, Warning, Working };
+FooterKind footerKind(const nodes::NodeStatus& status);
+
+/// In pixels; an empty one where nothing is shown.
+struct FooterRect {
+  vec2 min{0}, max{0};
+  bool contains(vec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
+};
+FooterRect footerRect(const CanvasView& view, const NodePlace& place, FooterKind kind);
+
+void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look);
+/// Time and memory, at the right below the node.
+void drawCosts(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look);
+
+/// The node whose failure keeps `node` from being made: the nearest one upstream; "" = none failed.
+std::string sourceOfError(const Editor& editor, const Layout& layout, const std::string& node);
+
+}  // namespace pileus::editor

@@ -1,0 +1,16 @@
+#pragma once
+// What surrounds the rows of the node search: chips that keep one category, and the keys that work in it.
+#include <string>
+#include <vector>
+
+namespace pileus::editor {
+
+struct Editor;
+
+/// Categories of what can be added here, in menu order.
+std::vector<std::string> searchCategories(const Editor& editor);
+/// A line of chips; Alt+Left and Alt+Right walk through them too.
+void drawCategoryChips(Editor& editor);
+void drawSearchKeys(Editor& editor, float width);
+
+}  // namespace pileus::editor

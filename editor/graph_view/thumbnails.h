@@ -1,0 +1,37 @@
+#pragma once
+// Pictures on nodes: what an image node shows, and the coefficients of a shadow map. Made when they are first
+// seen, and again when what they show has changed.
+#include <map>
+#include <memory>
+#include <string>
+
+#include "editor/graph_view/draw_node.h"
+#include "renderer/gl/texture.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+class Thumbnails {
+ public:
+  NodePicture image(Editor& editor, const std::string& name);
+  NodePicture map(Editor& editor, const std::string& name, const nodes::NodeType& type);
+
+ private:
+  struct Entry {
+    std::shared_ptr<const void> source;  ///< what it was made from
+    double fraction = -1, madeAt = 0;
+    std::string display;  ///< settings of the display transform
+    int slot = 0;         ///< of the display's textures
+    gl::Texture texture;  ///< of a map
+    NodePicture picture;
+  };
+  std::map<std::string, Entry> entries_;
+  int slots_ = 0;
+};
+
+NodePicture nodePicture(Editor& editor, const NodePlace& place);
+/// Shift+H: turns the pictures of the selected nodes on or off together.
+void toggleThumbnails(Editor& editor);
+
+}  // namespace pileus::editor

@@ -2,11 +2,13 @@
 // Keeps the viewport's picture up to date: after each change a draft, then, when nothing is dragged, the
 // final picture within a time budget per frame. The last good picture stays until the new one has something
 // to show. GL thread.
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "editor/draft_pace.h"
 #include "nodes/evaluator.h"
 #include "nodes/value.h"
 #include "renderer/base/profile.h"
@@ -21,11 +23,14 @@ struct PreviewRequest {
   ivec2 size{0};
   std::optional<scene::Camera> freeCamera;
   std::filesystem::path folder;
+  view::PictureLayer layer;
+  view::PictureRegion region;
+  double draftMs = 60;  ///< what a draft may take
 };
 
 class Preview {
  public:
-  explicit Preview(view::Renderer* renderer) : evaluator_(renderer) {}
+  explicit Preview(view::Renderer* renderer);
 
   /// Something is being dragged: drafts until it has rested for a moment.
   void touch() { rest_.restart(), touched_ = true; }
@@ -48,24 +53,35 @@ class Preview {
   /// Why there is no new picture; "" = nothing failed. The node is the one that caused it.
   const std::string& error() const { return error_; }
   double lastStepMs() const { return lastStepMs_; }
+  /// Of the last whole draft; total 0: there was none.
+  const DraftTimes& draftTimes() const { return draftTimes_; }
+  const DraftPace& pace() const { return pace_; }
 
   /// The last good picture; null until there is one.
   const std::shared_ptr<const view::Picture>& picture() const { return picture_; }
   nodes::Evaluator& evaluator() { return evaluator_; }
   const nodes::Evaluator& evaluator() const { return evaluator_; }
-  void forgetPicture() { picture_.reset(); }
+  void forgetPicture() { picture_.reset(), whole_.reset(); }
 
  private:
   bool interacting() const { return touched_ && rest_.ms() < 150; }
   void begin(const PreviewRequest& wanted, bool draft);
   void takePicture(bool draft);
+  std::shared_ptr<const view::Picture> seed() const;
+  void learnPace();
 
   nodes::Evaluator evaluator_;
   PreviewRequest current_;
   nodes::EvalReport report_;
   std::shared_ptr<const view::Picture> picture_;
+  std::shared_ptr<const view::Picture> whole_;  ///< the last one that was no draft and no part
   std::string error_;
   Stopwatch rest_, draftAge_;
+  DraftPace pace_;
+  DraftTimes draftTimes_;
+  int draftPixels_ = 0, draftTexels_ = 0;             ///< of the current draft
+  double stepsMs_ = 0;                                ///< of all its steps
+  std::map<std::string, std::uint64_t> evaluations_;  ///< of each node when it began
   bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;
   bool currentIsDraft_ = false, fresh_ = true;
   bool fast_ = false;  ///< the last final picture took less than one budget: no drafts are needed

@@ -8,6 +8,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/panels/viewport.h"
+#include "editor/panels/wipe_line.h"
 
 namespace pileus::editor {
 namespace {
@@ -84,35 +85,17 @@ void drawPart(vec2 lo, vec2 hi, unsigned texture, unsigned instead, float from, 
   if (!texture) draw->AddRectFilled(im(a), im(b), palette::kVeil);
 }
 
-/// The line follows the pointer while its grip is held.
-void moveWipe(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
-  CompareMode& mode = editor.compare;
-  const ImGuiIO& io = ImGui::GetIO();
-  const float x = glm::mix(lo.x, hi.x, static_cast<float>(mode.wipe));
-  const bool near = hovered && std::abs(io.MousePos.x - x) < editor.theme.px(7) && io.MousePos.y >= lo.y && io.MousePos.y < hi.y;
-  if (near && ImGui::IsMouseClicked(0) && editor.viewport.drag == Viewport::Drag::None) mode.draggingWipe = true;
-  if (!ImGui::IsMouseDown(0)) mode.draggingWipe = false;
-  if (near || mode.draggingWipe) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (mode.draggingWipe)
-    mode.wipe = std::clamp(static_cast<double>((io.MousePos.x - lo.x) / std::max(hi.x - lo.x, 1.0f)), 0.0, 1.0);
-}
-
 void drawWipe(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
-  const Theme& theme = editor.theme;
-  moveWipe(editor, lo, hi, hovered);
+  WipeLine line{editor.compare.wipe, editor.compare.draggingWipe};
+  moveWipeLine(editor, line, lo, hi, hovered);
+  editor.compare.wipe = line.at;
+  editor.compare.draggingWipe = line.held;
   const auto at = static_cast<float>(editor.compare.wipe);
   const Sides sides = sidesOf(editor, ivec2(hi - lo));
   drawPart(lo, hi, sides.picture, editor.viewport.texture, 0, at);
   drawPart(lo, hi, sides.truth, sides.picture, at, 1);
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float x = std::round(glm::mix(lo.x, hi.x, at)), y = std::round(0.5f * (lo.y + hi.y)), r = theme.px(9), a = theme.px(3);
-  const bool held = editor.compare.draggingWipe;
-  draw->AddRectFilled({x - theme.px(1), lo.y}, {x + theme.px(1), hi.y}, held ? palette::kAccent : palette::kHandle);
-  draw->AddCircleFilled({x, y}, r + 1, palette::kHandleEdge);
-  draw->AddCircleFilled({x, y}, r, held ? palette::kAccent : palette::kHandle);
-  for (const float side : {-1.0f, 1.0f})
-    draw->AddTriangleFilled({x + side * (a + theme.px(3)), y}, {x + side * a * 0.6f, y - a}, {x + side * a * 0.6f, y + a}, palette::kPanel);
-  editor.trace.rect("compare/line", {x - theme.px(2), lo.y}, {x + theme.px(2), hi.y});
+  drawWipeLine(editor, line, lo, hi, "compare/line");
+  const float x = std::round(glm::mix(lo.x, hi.x, at));
   label(editor, lo, {x, hi.y}, pictureLabel(editor.compare), false, "compare left");
   label(editor, {x, lo.y}, hi, truthLabel(editor.compare), true, "compare right");
   editor.viewport.shown = {{lo, hi}};

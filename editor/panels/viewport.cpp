@@ -11,9 +11,12 @@
 #include "editor/icons.h"
 #include "editor/panels/compare_bar.h"
 #include "editor/panels/compare_view.h"
+#include "editor/panels/picture_overlays.h"
 #include "editor/panels/ray_scope.h"
+#include "editor/panels/region_view.h"
 #include "editor/panels/viewport_bar.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/widgets.h"
 #include "renderer/view/picture.h"
 
 namespace pileus::editor {
@@ -42,8 +45,9 @@ void updateColors(Editor& editor) {
   Result<std::shared_ptr<const image::ColorConfig>> config = image::ColorConfig::load(path.string());
   if (!config) {
     viewport.colorError = config.error().message;
-    editor.messages.error(viewport.colorError);
-    if (!wanted.empty()) config = image::ColorConfig::load("");
+    config = wanted.empty() ? image::ColorConfig::shipped() : image::ColorConfig::load("");
+    if (!config) config = image::ColorConfig::shipped();
+    editor.messages.error(config ? fmt::format("{}; shown with {} instead", viewport.colorError, (*config)->description()) : viewport.colorError);
   }
   viewport.colors = config ? *config : nullptr;
 }
@@ -107,7 +111,7 @@ void drawChip(const Theme& theme, vec2 at, const std::string& text, ImU32 ink) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const vec2 pad = {theme.space(2), theme.px(4)};
   const vec2 size = {textWidth(theme.small, text), theme.small->FontSize};
-  draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), IM_COL32(16, 18, 22, 205), theme.px(4));
+  draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), palette::kChip, theme.px(4));
   drawText(draw, theme.small, at + pad, ink, text, size.x + 1);
 }
 
@@ -163,7 +167,7 @@ void drawNotice(Editor& editor, vec2 lo, vec2 hi) {
   const Preview& preview = editor.preview;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (!preview.error().empty()) {
-    draw->AddRectFilled(im(lo), im(hi), IM_COL32(16, 17, 20, 190));
+    draw->AddRectFilled(im(lo), im(hi), palette::kVeil);
     drawCentered(theme, lo, hi, icon::kError, palette::kError, "No new picture", preview.error());
     editor.trace.note("viewport error", preview.error());
   } else if (shownView(editor).empty()) {
@@ -175,6 +179,36 @@ void drawNotice(Editor& editor, vec2 lo, vec2 hi) {
   }
 }
 
+/// What the shown layer is, and that the colours are not those of the file where they cannot be.
+void drawPictureNotes(Editor& editor, vec2 lo, vec2 hi) {
+  const Theme& theme = editor.theme;
+  const Viewport& viewport = editor.viewport;
+  const auto& picture = editor.preview.picture();
+  vec2 at(lo.x + theme.space(2), hi.y - theme.space(2) - theme.small->FontSize - theme.px(8));
+  if (picture && picture->layer.kind == view::PictureLayer::Kind::Depth && viewport.mode.scan.result()) {
+    const vec2 range = viewport.mode.scan.result()->depth;
+    const std::string text = range.y > range.x ? fmt::format("Depth {:.4g} (white) to {:.4g} m (dark)", range.x, range.y) : "Depth: nothing there";
+    drawChip(theme, at, text, palette::kText);
+    editor.trace.note("viewport depth", text);
+    at.y -= theme.small->FontSize + theme.px(12);
+  }
+  if (viewport.colorError.empty() || !viewport.colors) return;
+  const std::string text = fmt::format("{}  Colours as {}", icon::kWarning, viewport.colors->description());
+  drawChip(theme, at, text, palette::kWarning);
+  editor.trace.note("viewport colours", viewport.colorError);
+  if (ImGui::IsMouseHoveringRect(im(at), {at.x + textWidth(theme.small, text), at.y + theme.px(22)})) tooltip(theme, viewport.colorError);
+}
+
+void drawOverlays(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
+  const bool plain = !editor.compare.on;
+  if (plain) drawRegionView(editor, lo, hi, hovered);
+  drawInspectorMarks(editor, hovered);
+  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, lo, hi);
+  if (editor.settings.showHistogram) drawHistogram(editor, lo, hi);
+  drawPictureNotes(editor, lo, hi);
+  if (editor.settings.showHud) drawHud(editor, lo, hi, lo.y + editor.theme.px(editor.compare.on ? 68 : 40));
+}
+
 }  // namespace
 
 unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size, std::size_t slot) {
@@ -184,25 +218,46 @@ unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Pictur
     drawn.picture.reset();
     return 0;
   }
-  const view::DisplaySettings settings = displaySettings(editor);
+  view::DisplaySettings settings = displaySettings(editor);
+  if (picture->layer.kind == view::PictureLayer::Kind::Depth) {
+    const view::ScanResult* scan = viewport.mode.scan.result();
+    settings.range = scan && scan->depth.y > scan->depth.x ? scan->depth : vec2(0, 1);
+  }
   if (drawn.picture == picture && drawn.fraction == picture->fraction && drawn.samples == picture->samples && drawn.size == size &&
       drawn.settings == settings && drawn.texture)
     return drawn.texture;
   const auto draw = [&](const view::DisplaySettings& s) {
-    return viewport.display.draw(picture->color, picture->size, size, *viewport.colors, s, static_cast<int>(slot));
+    if (slot == 0) viewport.displayTimer.begin();
+    const Result<unsigned> result = viewport.display.draw(picture->color, picture->size, size, *viewport.colors, s, static_cast<int>(slot));
+    if (slot == 0) viewport.displayTimer.end();
+    return result;
   };
   Result<unsigned> texture = draw(settings);
   if (!texture && viewport.colorError != texture.error().message) {
-    // A display or view this configuration does not have: say so, and show its default.
+    // A display, view or look this configuration does not have: say so, and show its default.
     viewport.colorError = texture.error().message;
-    editor.messages.warn(viewport.colorError);
+    const std::string display = viewport.colors->defaultDisplay();
+    editor.messages.warn(fmt::format("{}; shown as {}, {} instead", viewport.colorError, display, viewport.colors->defaultView(display)));
   }
-  if (!texture)
-    texture = draw({"", "", settings.exposure});
-  else
+  if (!texture) {
+    view::DisplaySettings plain = settings;
+    plain.display.clear(), plain.view.clear(), plain.look.clear();
+    texture = draw(plain);
+  } else if (slot == 0) {
     viewport.colorError.clear();
+  }
   drawn = {picture, picture->fraction, picture->samples, size, settings, texture ? *texture : 0};
   return drawn.texture;
+}
+
+bool displayTakesPointer(const Editor& editor) {
+  const Viewport& v = editor.viewport;
+  return v.mode.region.drawing || v.mode.region.from || v.inspector.draggingArea || v.snapshots.line.held || editor.compare.draggingWipe ||
+         (editor.settings.showInspector && ImGui::GetIO().KeyCtrl && v.drag == Viewport::Drag::None);
+}
+
+bool displayWantsFrame(const Editor& editor) {
+  return editor.viewport.mode.scan.busy() || (editor.settings.showInspector && editor.viewport.inspector.busy());
 }
 
 std::optional<vec2> pictureUv(const Viewport& viewport, vec2 screen) {
@@ -219,7 +274,7 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
   Viewport& viewport = editor.viewport;
   updateColors(editor);
   followPicture(editor);
-  draw->AddRectFilled(panelMin, panelMax, palette::kBackground);
+  draw->AddRectFilled(panelMin, panelMax, palette::kSurround);
   const float bar = theme.px(36);
   drawViewportBar(editor, panelMin, {panelMax.x, panelMin.y + bar});
 
@@ -232,27 +287,45 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
   if (editor.compare.on) {
     drawCompareBar(editor, {panelMin.x, top}, {panelMax.x, top + bar});
     top += bar;
-    bottom -= theme.px(34);
-    drawCompareFigures(editor, {panelMin.x, bottom}, vec(panelMax));
+    bottom -= theme.px(34) + inspectorHeight(editor) + snapshotStripHeight(editor);
+    drawCompareFigures(editor, {panelMin.x, bottom}, {panelMax.x, bottom + theme.px(34)});
+    lo = {panelMin.x, top}, hi = {panelMax.x, bottom};
+    fit(editor, lo, hi);
+  }
+  // Strips below the picture make it smaller on the screen, and like the compare bar never what is rendered.
+  const float strips = inspectorHeight(editor) + snapshotStripHeight(editor), figures = editor.compare.on ? theme.px(34) : 0;
+  if (strips > 0 && !editor.compare.on) {
+    bottom -= strips;
     lo = {panelMin.x, top}, hi = {panelMax.x, bottom};
     fit(editor, lo, hi);
   }
   const auto& picture = editor.preview.picture();
+  if (editor.settings.showHistogram || viewport.mode.layer.kind == view::PictureLayer::Kind::Depth) viewport.mode.scan.follow(picture, 1000 * ImGui::GetTime());
   viewport.texture = displayTexture(editor, picture, ivec2(hi - lo), 0);
+  if (const double ms = viewport.displayTimer.takeMs(); ms > 0) viewport.displayMs = ms;
   viewport.shown = {{lo, hi}};
   const bool onPicture = hovered && ImGui::GetIO().MousePos.y > top && ImGui::GetIO().MousePos.y < bottom;
-  if (!editor.compare.on || !viewport.texture) draw->AddRectFilled(im(lo), im(hi), IM_COL32_BLACK);
+  if (!editor.compare.on || !viewport.texture) draw->AddRectFilled(im(lo), im(hi), palette::kPictureEmpty);
   if (viewport.texture) {
     if (editor.compare.on)
       drawComparison(editor, lo, hi, {panelMin.x, top}, {panelMax.x, bottom}, onPicture);
+    else if (viewport.snapshots.wiping)
+      drawSnapshotWipe(editor, lo, hi, onPicture);
     else
       draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(viewport.texture)), im(lo), im(hi));
     editor.trace.note("picture", fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
   }
   drawPickedRay(editor);
+  drawOverlays(editor, lo, hi, onPicture);
   drawNotice(editor, lo, hi);
   drawProgress(editor, lo, hi);
-  moveCamera(editor, hi.y - lo.y, onPicture && !editor.compare.draggingWipe);
+  float y = bottom + figures;
+  if (const float height = snapshotStripHeight(editor); height > 0) {
+    drawSnapshotStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
+    y += height;
+  }
+  if (const float height = inspectorHeight(editor); height > 0) drawInspectorStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
+  moveCamera(editor, hi.y - lo.y, onPicture && !displayTakesPointer(editor));
   editor.trace.rect("viewport", im(lo), im(hi));
 }
 

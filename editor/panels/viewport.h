@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "editor/panels/display_mode.h"
+#include "editor/panels/inspector.h"
+#include "editor/panels/snapshots.h"
+#include "renderer/gl/gpu_timer.h"
 #include "renderer/image/color.h"
 #include "renderer/scene/camera.h"
 #include "renderer/view/display.h"
@@ -44,12 +48,20 @@ struct Viewport {
     view::DisplaySettings settings;
     unsigned texture = 0;
   };
-  std::array<Drawn, 2> drawn;  ///< the picture, and beside it the truth it is compared with
+  static constexpr std::size_t kThumbnails = 4;  ///< first slot of those
+  /// The picture, the truth it is compared with, the sides of a wipe between stills, and their thumbnails.
+  std::array<Drawn, kThumbnails + Snapshots::kMost> drawn;
   unsigned texture = 0;        ///< of the picture; 0 = none
 
   struct Rect {
     vec2 min{0}, max{0};
   };
+  DisplayMode mode;
+  Inspector inspector;
+  Snapshots snapshots;
+  gl::GpuTimer displayTimer;
+  double displayMs = 0;  ///< of the display stage, as last known
+
   std::vector<Rect> shown;  ///< where the picture is on the screen: more than once when halves are compared
 };
 
@@ -57,6 +69,10 @@ void drawViewport(Editor& editor, ImVec2 min, ImVec2 max, bool hovered);
 /// `picture` through the shown output's display transform; redrawn only where something has changed. 0: it
 /// cannot be. Slot 0 is the viewport's own.
 unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size, std::size_t slot);
+/// Does the display side use the pointer now: a region, an area, a line that is dragged?
+bool displayTakesPointer(const Editor& editor);
+/// Is something read from the GPU on its way?
+bool displayWantsFrame(const Editor& editor);
 /// Position in the picture, [0,1]^2 with y down, of a point of the screen; none beside it.
 std::optional<vec2> pictureUv(const Viewport& viewport, vec2 screen);
 

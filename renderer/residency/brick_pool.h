@@ -39,6 +39,7 @@ class BrickPool {
   ivec3 atlasSize() const { return atlas_.size(); }  ///< texels
   std::size_t bytes() const { return atlas_.bytes(); }
   std::size_t budget() const { return budget_; }
+  std::size_t residentBricks() const { return std::size_t(slots_.x) * std::size_t(slots_.y) * std::size_t(slots_.z) - free_.size(); }
   /// Grows with every upload or eviction; part of what a cached record depends on.
   std::uint64_t generation() const { return generation_; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/icon_ranges.h"
 #include "editor/icons.h"
 #include "embedded_fonts.h"
 #include "renderer/base/log.h"
@@ -140,6 +141,8 @@ constexpr Category kCategories[] = {
 };
 
 }  // namespace
+
+const ImWchar* iconRanges() { return kIconRange; }
 
 ImU32 headerColor(ImU32 chosen) {
   // Dark ink needs a light ground: the chosen colour as a tint.

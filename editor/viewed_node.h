@@ -10,23 +10,26 @@ namespace pileus::editor {
 
 struct Editor;
 
+// `root` is the whole document; a node in a group is named by its path, "Group/Node", as the evaluator does.
+
 /// The first Image output of a node; "" = it has none.
-std::string imageOutput(const nodes::Graph& graph, const std::string& node);
+std::string imageOutput(const nodes::Graph& root, const std::string& node);
 /// What `node` shows as the evaluator left it: its own first image, or for an output node the image linked to
 /// it; null = nothing yet.
-const nodes::SocketValue* shownImage(const nodes::Evaluator& evaluator, const nodes::Graph& graph,
+const nodes::SocketValue* shownImage(const nodes::Evaluator& evaluator, const nodes::Graph& root,
                                      const std::string& node);
 /// Can the viewport show this node: an output node, or one with an Image output?
-bool viewable(const nodes::Graph& graph, const std::string& node);
-/// The node itself or the nearest one downstream of it that the viewport can show; "" = none.
-std::string nearestPicture(const nodes::Graph& graph, const std::string& node);
+bool viewable(const nodes::Graph& root, const std::string& node);
+/// The node itself or the nearest one downstream of it, in its group, that the viewport can show; "" = none.
+std::string nearestPicture(const nodes::Graph& root, const std::string& node);
 
-/// Names of nodes; "" = free. A slot whose node is gone counts as free.
+/// Paths of nodes; "" = free. A slot whose node is gone counts as free.
 using ViewSlots = std::array<std::string, 9>;
 /// 1 to 9; 0 = the node is in no slot.
 int slotOf(const ViewSlots& slots, const std::string& node);
 
-/// Shows the node, or the nearest picture that it takes part in; says what it did where that is not plain.
+/// Shows a node of the current scope, or the nearest picture that it takes part in; says what it did where
+/// that is not plain.
 void viewNode(Editor& editor, const std::string& node);
 /// Of the selection.
 void viewSelected(Editor& editor);

@@ -3,6 +3,7 @@
 #include "editor/bookmarks.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/frames.h"
+#include "editor/graph_view/link_gestures.h"
 #include "editor/graph_view/scopes.h"
 
 namespace pileus::editor {
@@ -10,7 +11,7 @@ namespace {
 
 bool hasSelection(const Editor& e) { return !e.document.selection().empty(); }
 bool hasLink(const Editor& e) { return e.canvas.selectedLink.has_value(); }
-bool hasFrame(const Editor& e) { return !e.canvas.selectedFrame.empty(); }
+bool hasFrame(const Editor& e) { return e.canvas.selectedFrame.has_value(); }
 bool canDelete(const Editor& e) { return hasSelection(e) || hasLink(e) || hasFrame(e); }
 bool oneSelected(const Editor& e) { return e.document.selection().size() == 1; }
 bool hasNodes(const Editor& e) { return !e.document.graph().nodes.empty(); }
@@ -25,6 +26,13 @@ const Action kActions[] = {
      {ctrl(GLFW_KEY_D), shift(GLFW_KEY_D)},
      duplicateSelection,
      hasSelection},
+    {"graph.duplicate_inputs",
+     "Duplicate with Inputs",
+     "Edit",
+     P::Graph,
+     {ctrlShift(GLFW_KEY_D)},
+     duplicateWithInputs,
+     hasSelection},
     {"graph.delete", "Delete", "Edit", P::Graph, {plain(GLFW_KEY_DELETE)}, deleteSelection, canDelete},
     {"graph.delete_reconnect",
      "Delete and Reconnect",
@@ -33,6 +41,23 @@ const Action kActions[] = {
      {shift(GLFW_KEY_DELETE)},
      deleteReconnecting,
      canDelete},
+    {"graph.extract", "Extract", "Edit", P::Graph, {ctrlShift(GLFW_KEY_X)}, extractSelection, hasSelection},
+    {"graph.upstream",
+     "Select Upstream",
+     "Edit",
+     P::Graph,
+     {ctrl(GLFW_KEY_L)},
+     selectUpstream,
+     hasSelection,
+     nullptr,
+     true},
+    {"graph.downstream",
+     "Select Downstream",
+     "Edit",
+     P::Graph,
+     {ctrlShift(GLFW_KEY_L)},
+     selectDownstream,
+     hasSelection},
     {"graph.add",
      "Add Node\xe2\x80\xa6",
      "Edit",
@@ -43,6 +68,7 @@ const Action kActions[] = {
      nullptr,
      true},
     {"graph.insert", "Insert Node\xe2\x80\xa6", "", P::Graph, {}, searchNode, hasLink},
+    {"graph.dot", "Add Dot", "Edit", P::Graph, {plain(GLFW_KEY_PERIOD)}, dotOnSelectedLink, hasLink},
     {"graph.mute",
      "Mute Link",
      "Edit",
@@ -51,13 +77,25 @@ const Action kActions[] = {
      muteSelectedLink,
      hasLink,
      [](const Editor& e) { return e.canvas.selectedLink && e.canvas.selectedLink->muted; }},
+    {"graph.add_frame", "Frame Around Selection", "Edit", P::Graph, {ctrl(GLFW_KEY_J)}, addFrame},
     {"graph.rename_frame",
      "Rename Frame",
      "",
      P::Graph,
      {},
-     [](Editor& e) { renameFrame(e, e.canvas.selectedFrame); },
+     [](Editor& e) { renameFrame(e, *e.canvas.selectedFrame); },
      hasFrame},
+    {"graph.select_content",
+     "Select Content",
+     "",
+     P::Graph,
+     {},
+     [](Editor& e) { selectContent(e, *e.canvas.selectedFrame); },
+     hasFrame},
+    {"graph.group", "Group", "Edit", P::Graph, {ctrl(GLFW_KEY_G)}, groupSelection, hasSelection},
+    {"graph.ungroup", "Ungroup", "Edit", P::Graph, {ctrlShift(GLFW_KEY_G)}, ungroupSelection, groupSelected},
+    {"graph.enter", "Enter Group", "Edit", P::Graph, {}, enterSelected, oneGroupSelected},
+    {"graph.leave", "Leave Group", "Edit", P::Graph, {plain(GLFW_KEY_U)}, leaveGroup, insideGroup},
     {"graph.bypass",
      "Bypass",
      "Edit",
@@ -67,6 +105,7 @@ const Action kActions[] = {
      hasSelection,
      nullptr,
      true},
+    {"graph.disable", "Disable", "Edit", P::Graph, {ctrl(GLFW_KEY_M)}, disableSelection, hasSelection},
     {"graph.rename",
      "Rename",
      "Edit",

@@ -38,7 +38,7 @@ void applySelection(Editor& editor, const std::set<std::string>& names, SelectOp
   else
     for (const std::string& name : names) selection.erase(name);
   editor.canvas.selectedLink.reset();
-  editor.canvas.selectedFrame.clear();
+  editor.canvas.selectedFrame.reset();
   editor.document.select(std::move(selection));
 }
 
@@ -76,7 +76,7 @@ struct Carry {
   void operator()(const command::Cancel&) { cancelMove(editor); }
   void operator()(const command::LinkStart& c) { startLink(editor, layout, c.drag); }
   void operator()(const command::LinkDrop& c) { dropLink(editor, view, c); }
-  void operator()(const command::PutDot& c) { static_cast<void>(c); }
+  void operator()(const command::PutDot& c) { putDot(editor, c.link, dvec2(view.canvas(c.at))); }
   void operator()(const command::StrokeDone& c) { finishStroke(editor, view, layout, c); }
   void operator()(const command::View& c) {
     applySelection(editor, {c.node}, SelectOp::Replace);
@@ -86,7 +86,7 @@ struct Carry {
     if (c.hit.kind == Hit::Kind::Link)
       (*this)(command::SelectLink{c.hit.link});
     else if (c.hit.kind == Hit::Kind::Frame)
-      (*this)(command::SelectFrame{c.hit.node});
+      (*this)(command::SelectFrame{c.hit.frame});
     else if (c.hit.kind != Hit::Kind::Canvas && !editor.document.selection().contains(c.hit.node))
       applySelection(editor, {c.hit.node}, SelectOp::Replace);
     openCanvasMenu(editor, c.hit, c.at);

@@ -114,11 +114,14 @@ void linkMenu(Editor& editor, const nodes::Link& link) {
   row(editor, icon::kTrash, "graph.delete");
 }
 
-void frameMenu(Editor& editor, const std::string& frame) {
-  heading(editor, frameTitle(editor, frame), "Frame");
+void frameMenu(Editor& editor, std::size_t index) {
+  const auto& frames = editor.document.graph().frames;
+  if (index >= frames.size()) return ImGui::CloseCurrentPopup();
+  const nodes::Frame frame = frames[index];
+  heading(editor, frame.title.empty() ? "Frame" : frame.title, frame.title.empty() ? "" : "Frame");
   row(editor, icon::kPencil, "graph.rename_frame");
   std::string color;
-  if (chooseColor(editor, frameColor(editor, frame), color)) setFrameColor(editor, frame, color);
+  if (chooseColor(editor, frame.color, color)) setFrameColor(editor, index, color);
   row(editor, icon::kList, "graph.select_content");
   ImGui::Separator();
   row(editor, icon::kTrash, "graph.delete");
@@ -188,7 +191,7 @@ void drawCanvasMenu(Editor& editor) {
       linkMenu(editor, canvas.menuHit.link);
       break;
     case Hit::Kind::Frame:
-      frameMenu(editor, canvas.menuHit.node);
+      frameMenu(editor, canvas.menuHit.frame);
       break;
     case Hit::Kind::Canvas:
       canvasMenu(editor);

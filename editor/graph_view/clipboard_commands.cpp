@@ -3,6 +3,7 @@
 
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_commands.h"
+#include "nodes/graph_edits.h"
 #include "nodes/serialize.h"
 
 namespace pileus::editor {
@@ -51,19 +52,21 @@ void pasteNodes(Editor& editor) {
     editor.document.select(std::move(pasted));
 }
 
-void duplicateSelection(Editor& editor) {
+namespace {
+
+void duplicate(Editor& editor, bool keepInputs) {
   const std::set<std::string> names = editor.document.selection();
   if (names.empty()) return;
-  dvec2 a(1e300), b(-1e300);
-  for (const std::string& name : names) {
-    a = glm::min(a, editor.document.graph().nodes.at(name)->at);
-    b = glm::max(b, editor.document.graph().nodes.at(name)->at);
-  }
   std::set<std::string> copies;
-  const std::string text = nodes::copyText(editor.document.graph(), names);
-  if (tryEdit(editor, nodes::pasteText(editor.document.graph(), text, 0.5 * (a + b) + dvec2(kStep), &copies),
+  if (tryEdit(editor,
+              nodes::duplicateNodes(editor.document.graph(), names, keepInputs, dvec2(kStep), &copies),
               named("Duplicate", names)))
     editor.document.select(std::move(copies));
 }
+
+}  // namespace
+
+void duplicateSelection(Editor& editor) { duplicate(editor, false); }
+void duplicateWithInputs(Editor& editor) { duplicate(editor, true); }
 
 }  // namespace pileus::editor

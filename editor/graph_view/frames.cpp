@@ -1,13 +1,143 @@
 #include "editor/graph_view/frames.h"
 
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
 #include "editor/editor.h"
+#include "editor/graph_view/canvas_view.h"
+#include "nodes/graph_frames.h"
 
 namespace pileus::editor {
+namespace {
 
-std::string frameTitle(const Editor&, const std::string& frame) { return frame; }
-std::string frameColor(const Editor&, const std::string&) { return {}; }
-void setFrameColor(Editor&, const std::string&, const std::string&) {}
-void removeFrame(Editor&, const std::string&) {}
-void renameFrame(Editor&, const std::string&) {}
+constexpr double kSmallest = 80;  // canvas units
+constexpr char kPopup[] = "##frame title";
+
+std::string named(const char* verb, const nodes::Frame& frame) {
+  return std::string(verb) + " frame" + (frame.title.empty() ? "" : " " + frame.title);
+}
+
+}  // namespace
+
+float frameHeader(float zoom) { return std::max(30.0f, 22.0f / std::max(zoom, 0.01f)); }
+
+std::optional<Hit> frameAt(const nodes::Graph& graph, vec2 at, float zoom) {
+  const float reach = std::clamp(6.0f / zoom, 4.0f, 40.0f);
+  for (std::size_t i = graph.frames.size(); i-- > 0;) {
+    const nodes::Frame& frame = graph.frames[i];
+    const vec2 lo = vec2(frame.at), hi = vec2(frame.at + frame.size);
+    if (at.x < lo.x - reach || at.x > hi.x + reach || at.y < lo.y - reach || at.y > hi.y + reach) continue;
+    Hit hit;
+    hit.kind = Hit::Kind::Frame;
+    hit.frame = i;
+    hit.sides = {std::abs(at.x - lo.x) <= reach, std::abs(at.y - lo.y) <= reach,
+                 std::abs(at.x - hi.x) <= reach, std::abs(at.y - hi.y) <= reach};
+    if (hit.sides.any() || at.y <= lo.y + frameHeader(zoom)) return hit;
+  }
+  return std::nullopt;
+}
+
+nodes::Frame resized(const nodes::Frame& frame, const FrameSides& sides, dvec2 by) {
+  dvec2 lo = frame.at, hi = frame.at + frame.size;
+  if (sides.left) lo.x = std::min(lo.x + by.x, hi.x - kSmallest);
+  if (sides.top) lo.y = std::min(lo.y + by.y, hi.y - kSmallest);
+  if (sides.right) hi.x = std::max(hi.x + by.x, lo.x + kSmallest);
+  if (sides.bottom) hi.y = std::max(hi.y + by.y, lo.y + kSmallest);
+  nodes::Frame result = frame;
+  result.at = lo;
+  result.size = hi - lo;
+  return result;
+}
+
+void addFrame(Editor& editor) {
+  const nodes::Graph& graph = editor.document.graph();
+  const std::set<std::string>& names = editor.document.selection();
+  nodes::Graph framed;
+  if (names.empty()) {
+    const Canvas& canvas = editor.canvas;
+    const dvec2 size = {320, 220};
+    const dvec2 middle = canvas.pointerInside ? dvec2(canvas.pointer) : canvas.center;
+    nodes::Frame frame;
+    frame.title = "Frame";
+    frame.at = glm::round(middle - 0.5 * size);
+    frame.size = size;
+    framed = nodes::addFrame(graph, frame);
+  } else {
+    framed = nodes::frameAround(graph, names, "Frame");
+  }
+  // The new frame is the one that was not there; where it stands in the list is the model's choice.
+  std::size_t added = 0;
+  while (added < graph.frames.size() && framed.frames[added] == graph.frames[added]) ++added;
+  if (!tryEdit(editor, std::move(framed), "Add frame")) return;
+  editor.canvas.selectedLink.reset();
+  editor.canvas.selectedFrame = added;
+  renameFrame(editor, added);
+}
+
+void setFrameColor(Editor& editor, std::size_t index, const std::string& color) {
+  const nodes::Graph& graph = editor.document.graph();
+  if (index >= graph.frames.size()) return;
+  nodes::Frame frame = graph.frames[index];
+  frame.color = color;
+  tryEdit(editor, nodes::setFrame(graph, index, frame), named("Colour", frame));
+}
+
+void removeFrame(Editor& editor, std::size_t index) {
+  const nodes::Graph& graph = editor.document.graph();
+  editor.canvas.selectedFrame.reset();
+  if (index < graph.frames.size())
+    tryEdit(editor, nodes::removeFrame(graph, index), named("Remove", graph.frames[index]));
+}
+
+void renameFrame(Editor& editor, std::size_t index) {
+  const nodes::Graph& graph = editor.document.graph();
+  if (index >= graph.frames.size()) return;
+  editor.canvas.frameTitle = FrameTitleField{index, graph.frames[index].title, true};
+}
+
+void selectContent(Editor& editor, std::size_t index) {
+  if (index >= editor.document.graph().frames.size()) return;
+  editor.document.select(nodes::contentOf(editor.document.graph(), index).nodes);
+  editor.canvas.selectedFrame.reset();
+}
+
+void drawFrameTitleField(Editor& editor) {
+  std::optional<FrameTitleField>& field = editor.canvas.frameTitle;
+  if (!field) return;
+  const nodes::Graph& graph = editor.document.graph();
+  if (field->frame >= graph.frames.size()) return field.reset();
+  nodes::Frame frame = graph.frames[field->frame];
+  const CanvasView view = canvasView(editor);
+  const vec2 at = glm::clamp(view.screen(vec2(frame.at)), view.min,
+                             glm::max(view.max - vec2(editor.theme.px(240), editor.theme.px(40)), view.min));
+  if (field->opening) {
+    ImGui::OpenPopup(kPopup);
+    ImGui::SetNextWindowPos(im(at));
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {editor.theme.px(3), editor.theme.px(3)});
+  const bool open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
+  ImGui::PopStyleVar();
+  if (!open) {
+    // A click elsewhere keeps what was typed.
+    if (!field->opening && field->text != frame.title) {
+      frame.title = field->text;
+      tryEdit(editor, nodes::setFrame(graph, field->frame, frame), "Rename frame");
+    }
+    return field.reset();
+  }
+  if (std::exchange(field->opening, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(editor.theme.px(230));
+  const bool done = ImGui::InputText(
+      "##title", &field->text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  editor.trace.item("frame title");
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    field->text = frame.title;
+    ImGui::CloseCurrentPopup();
+  }
+  if (done) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
 
 }  // namespace pileus::editor

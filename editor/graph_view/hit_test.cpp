@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/graph_view/draw_link.h"
+#include "editor/graph_view/frames.h"
 
 namespace pileus::editor {
 namespace {
@@ -64,7 +65,7 @@ Hit hitTest(const Layout& layout, const nodes::Graph& graph, vec2 at, float zoom
     if (d < bestDistance) best = &link, bestDistance = d;
   }
   if (best) return {Hit::Kind::Link, {}, {}, *best, {}};
-  return {};
+  return frameAt(graph, at, zoom).value_or(Hit{});
 }
 
 std::set<std::string> nodesInside(const Layout& layout, vec2 a, vec2 b) {

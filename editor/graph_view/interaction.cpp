@@ -38,10 +38,10 @@ LinkDrag dragFrom(const PointerInput& in) {
 }
 
 void pressFrame(Interaction& m, const PointerInput& in, std::vector<Command>& out) {
-  if (in.doubleClick && !in.hit.sides.any()) return out.push_back(command::RenameFrame{in.hit.node});
+  if (in.doubleClick && !in.hit.sides.any()) return out.push_back(command::RenameFrame{in.hit.frame});
   begin(m, in, State::PressedFrame);
   m.frameContent = !in.ctrl;
-  out.push_back(command::SelectFrame{in.hit.node});
+  out.push_back(command::SelectFrame{in.hit.frame});
 }
 
 void pressNode(Interaction& m, const PointerInput& in, bool isSelected, std::vector<Command>& out) {
@@ -127,7 +127,7 @@ void moveNodes(Interaction& m, const PointerInput& in, vec2 moved, bool dragged,
 
 void dragFrame(Interaction& m, const PointerInput& in, vec2 moved, bool dragged, std::vector<Command>& out) {
   const auto drag = [&](vec2 by) {
-    out.push_back(command::FrameDrag{m.pressHit.node, m.pressHit.sides, m.frameContent, by});
+    out.push_back(command::FrameDrag{m.pressHit.frame, m.pressHit.sides, m.frameContent, by});
   };
   if (m.state == State::PressedFrame && dragged && !in.cancel) {
     m.state = State::DraggingFrame;

@@ -20,10 +20,11 @@ struct FrameSides {
 /// What lies under the pointer.
 struct Hit {
   enum class Kind { Canvas, Node, Input, Output, Link, Frame } kind = Kind::Canvas;
-  std::string node, socket;          ///< Node, Input, Output; of a Frame: its id in `node`
+  std::string node, socket;          ///< Node, Input, Output
   nodes::Link link;                  ///< Link
   std::optional<nodes::Link> taken;  ///< Input that takes one link and has it
   std::vector<nodes::Link> links{};  ///< Input, Output: all of its links, in order
+  std::size_t frame = 0;             ///< Frame: index into the graph's frames
   FrameSides sides{};                ///< Frame
 };
 
@@ -67,7 +68,7 @@ struct SelectLink {
   nodes::Link link;
 };
 struct SelectFrame {
-  std::string frame;
+  std::size_t frame = 0;
 };
 struct SelectNone {};
 struct SelectBox {
@@ -83,7 +84,7 @@ struct Move {
 };  ///< pixels, of the selection
 struct MoveDone {};
 struct FrameDrag {
-  std::string frame;
+  std::size_t frame = 0;
   FrameSides sides;
   bool content = true;
   vec2 by{0};
@@ -120,7 +121,7 @@ struct Open {
   std::string node;
 };  ///< double click
 struct RenameFrame {
-  std::string frame;
+  std::size_t frame = 0;
 };
 }  // namespace command
 using Command =

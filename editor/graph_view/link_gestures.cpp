@@ -3,9 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 #include "editor/editor.h"
+#include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/path_geometry.h"
+#include "nodes/graph_edits.h"
+#include "nodes/graph_sockets.h"
 
 namespace pileus::editor {
 namespace {
@@ -37,21 +41,6 @@ std::string plural(std::size_t count, const char* one, const char* many) {
   return count == 1 ? one : fmt::format("{} {}", count, many);
 }
 
-/// All links of an output to another one, each in its place.
-void moveLinks(Editor& editor, const LinkDrag& drag, const Hit& on) {
-  nodes::Graph graph = editor.document.graph();
-  for (nodes::Link& link : graph.links) {
-    if (std::find(drag.moves.begin(), drag.moves.end(), link) == drag.moves.end()) continue;
-    link.fromNode = on.node;
-    link.fromSocket = on.socket;
-  }
-  std::vector<nodes::Link> kept;
-  for (const nodes::Link& link : graph.links)  // the other output may have had one of them already
-    if (std::find(kept.begin(), kept.end(), link) == kept.end()) kept.push_back(link);
-  graph.links = std::move(kept);
-  tryEdit(editor, std::move(graph), "Move " + plural(drag.moves.size(), "link", "links"));
-}
-
 void dropOnCanvas(Editor& editor, const CanvasView& view, const command::LinkDrop& drop) {
   const LinkDrag& drag = drop.drag;
   // Dropping picked-off links on nothing removes them; a new one asks which node shall follow.
@@ -62,19 +51,42 @@ void dropOnCanvas(Editor& editor, const CanvasView& view, const command::LinkDro
     openSearch(editor, drop.at, view.canvas(drop.at), drag);
 }
 
-void cutLinks(Editor& editor, const std::vector<Crossing>& crossed) {
-  nodes::Graph graph = editor.document.graph();
-  for (const Crossing& c : crossed) graph = nodes::disconnect(graph, c.link);
-  tryEdit(editor, std::move(graph), "Cut " + plural(crossed.size(), "link", "links"));
+std::vector<nodes::Link> linksOf(const std::vector<Crossing>& crossed) {
+  std::vector<nodes::Link> links;
+  for (const Crossing& c : crossed) links.push_back(c.link);
+  return links;
 }
 
 /// Mutes the crossed links, or takes all back when they are muted already.
 void muteLinks(Editor& editor, const std::vector<Crossing>& crossed) {
   const bool all =
       std::all_of(crossed.begin(), crossed.end(), [](const Crossing& c) { return c.link.muted; });
+  tryEdit(editor, nodes::muteLinks(editor.document.graph(), linksOf(crossed), !all),
+          (all ? "Unmute " : "Mute ") + plural(crossed.size(), "link", "links"));
+}
+
+/// One dot for each output whose links are crossed; links of one output go through it together.
+void putDots(Editor& editor, const std::vector<Crossing>& crossed) {
   nodes::Graph graph = editor.document.graph();
-  for (const Crossing& c : crossed) graph = nodes::setMuted(graph, c.link, !all);
-  tryEdit(editor, std::move(graph), (all ? "Unmute " : "Mute ") + plural(crossed.size(), "link", "links"));
+  std::map<std::pair<std::string, std::string>, std::vector<Crossing>> byOutput;
+  for (const Crossing& c : crossed) byOutput[{c.link.fromNode, c.link.fromSocket}].push_back(c);
+  std::set<std::string> dots;
+  for (const auto& [output, links] : byOutput) {
+    vec2 middle(0);
+    for (const Crossing& c : links) middle += c.at / static_cast<float>(links.size());
+    std::string dot;
+    Result<nodes::Graph> added = nodes::addDot(graph, links.front().link, dvec2(middle), &dot);
+    if (!added) return editor.messages.hint(added.error().message);
+    graph = std::move(*added);
+    const std::string out = nodes::outputsOf(graph, dot).front().id;
+    for (nodes::Link& link : graph.links)
+      for (std::size_t i = 1; i < links.size(); ++i)
+        if (link == links[i].link) link.fromNode = dot, link.fromSocket = out;
+    dots.insert(dot);
+  }
+  if (tryEdit(editor, std::move(graph),
+              dots.size() == 1 ? "Add dot" : fmt::format("Add {} dots", dots.size())))
+    editor.document.select(std::move(dots));
 }
 
 }  // namespace
@@ -107,7 +119,10 @@ void dropLink(Editor& editor, const CanvasView& view, const command::LinkDrop& d
   const auto refused =
       editor.canvas.refusals.find(socketKey(on.node, on.socket, on.kind == Hit::Kind::Input));
   if (refused != editor.canvas.refusals.end()) return editor.messages.hint(refused->second);
-  if (!drag.moves.empty()) return moveLinks(editor, drag, on);
+  if (!drag.moves.empty())
+    return void(tryEdit(editor,
+                        nodes::moveLinks(editor.document.graph(), drag.node, drag.socket, on.node, on.socket),
+                        "Move " + plural(drag.moves.size(), "link", "links")));
   tryEdit(editor, nodes::connect(graphForDrag(editor, drag), linkBetween(drag, on.node, on.socket)), "Link");
 }
 
@@ -153,9 +168,28 @@ void finishStroke(Editor& editor, const CanvasView& view, const Layout& layout,
   const std::vector<Crossing> crossed = crossings(layout, editor.document.graph(), line);
   if (crossed.empty()) return editor.messages.hint("The line crosses no link.");
   if (stroke.kind == Stroke::Cut)
-    cutLinks(editor, crossed);
-  else
+    tryEdit(editor, nodes::disconnectAll(editor.document.graph(), linksOf(crossed)),
+            "Cut " + plural(crossed.size(), "link", "links"));
+  else if (stroke.kind == Stroke::Mute)
     muteLinks(editor, crossed);
+  else
+    putDots(editor, crossed);
+}
+
+void putDot(Editor& editor, const nodes::Link& link, dvec2 at) {
+  std::string dot;
+  if (!tryEdit(editor, nodes::addDot(editor.document.graph(), link, at, &dot), "Add dot")) return;
+  editor.canvas.selectedLink.reset();
+  editor.document.select({dot});
+}
+
+void dotOnSelectedLink(Editor& editor) {
+  if (!editor.canvas.selectedLink) return;
+  const nodes::Link link = *editor.canvas.selectedLink;
+  const Layout layout = layoutGraph(editor.document.graph(), {});
+  vec2 from, to;
+  nodes::SocketType type;
+  if (linkEnds(layout, link, from, to, type)) putDot(editor, link, dvec2(0.5f * (from + to)));
 }
 
 }  // namespace pileus::editor

@@ -19,6 +19,7 @@ Hit snappedToNode(const Editor& editor, const Layout& layout, const Hit& hit);
 /// Why the link under way cannot be dropped here; "" = it can, or there is nothing to refuse it.
 std::string refusalAt(const Editor& editor, const Layout& layout, const Hit& hit);
 
+void dotOnSelectedLink(Editor& editor);
 void putDot(Editor& editor, const nodes::Link& link, dvec2 at);
 void finishStroke(Editor& editor, const CanvasView& view, const Layout& layout,
                   const command::StrokeDone& stroke);

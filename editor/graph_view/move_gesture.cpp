@@ -4,7 +4,10 @@
 
 #include "editor/editor.h"
 #include "editor/graph_view/draw_link.h"
+#include "editor/graph_view/frames.h"
 #include "editor/graph_view/path_geometry.h"
+#include "nodes/graph_edits.h"
+#include "nodes/graph_frames.h"
 
 namespace pileus::editor {
 namespace {
@@ -41,11 +44,32 @@ void dropNodes(Editor& editor) {
   findDropLink(editor, layoutGraph(editor.canvas.moving.graph, {}));
   const MoveGesture moving = std::exchange(editor.canvas.moving, {});
   const std::set<std::string> names = editor.document.selection();
-  tryEdit(editor, moving.graph, named("Move", names));
+  if (moving.onto)
+    tryEdit(editor, nodes::insertOnLink(moving.graph, *names.begin(), *moving.onto),
+            "Insert " + *names.begin() + " on a link");
+  else
+    tryEdit(editor, moving.graph, named("Move", names));
 }
 
-void dragFrameBy(Editor&, const command::FrameDrag&, dvec2) {}
-void dropFrame(Editor&) {}
+void dragFrameBy(Editor& editor, const command::FrameDrag& drag, dvec2 by) {
+  MoveGesture& moving = editor.canvas.moving;
+  const nodes::Graph& graph = editor.document.graph();
+  if (drag.frame >= graph.frames.size()) return;
+  moving.active = true;
+  moving.by += by;
+  moving.frame = drag;
+  moving.graph = drag.sides.any() ? nodes::setFrame(graph, drag.frame,
+                                                    resized(graph.frames[drag.frame], drag.sides, moving.by))
+                                  : nodes::moveFrame(graph, drag.frame, moving.by, drag.content);
+}
+
+void dropFrame(Editor& editor) {
+  MoveGesture moving = std::exchange(editor.canvas.moving, {});
+  if (!moving.active || !moving.frame || moving.frame->frame >= moving.graph.frames.size()) return;
+  const std::string& title = moving.graph.frames[moving.frame->frame].title;
+  const char* verb = moving.frame->sides.any() ? "Resize frame" : "Move frame";
+  tryEdit(editor, std::move(moving.graph), verb + (title.empty() ? "" : " " + title));
+}
 
 void cancelMove(Editor& editor) { editor.canvas.moving = {}; }
 
@@ -66,7 +90,7 @@ std::optional<nodes::Link> linkUnder(const Layout& layout, const nodes::Graph& g
         !passesThrough(linkCurve(from, to), place->min, place->max, distance))
       continue;
     if (best && distance >= bestDistance) continue;
-    continue;
+    if (!nodes::insertOnLink(graph, name, link)) continue;
     best = link;
     bestDistance = distance;
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Which graph the canvas shows: the document's, or that of a group inside it. View and selection are
-// remembered for each.
+// Groups on the canvas: making and undoing them, and which graph the canvas shows, the document's or that of
+// a group inside it. View and selection are remembered for each.
 #include <string>
 #include <vector>
 
@@ -14,7 +14,19 @@ std::vector<std::string> currentScope(const Editor& editor);
 bool goToScope(Editor& editor, const std::vector<std::string>& scope);
 bool isGroup(const Editor& editor, const std::string& node);
 
+/// Once a frame, before the canvas is drawn: keeps the view of a scope that was left, takes up that of the
+/// one that was come to, however that happened.
+void followScope(Editor& editor);
+
 /// What a double click does: enters a group, shows an output, renames anything else.
 void openNode(Editor& editor, const std::string& node);
+void groupSelection(Editor& editor);
+void ungroupSelection(Editor& editor);
+bool groupSelected(const Editor& editor);
+void enterGroup(Editor& editor, const std::string& group);
+void enterSelected(Editor& editor);
+bool oneGroupSelected(const Editor& editor);
+void leaveGroup(Editor& editor);
+bool insideGroup(const Editor& editor);
 
 }  // namespace pileus::editor

@@ -6,6 +6,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/frames.h"
+#include "nodes/graph_edits.h"
 
 namespace pileus::editor {
 namespace {
@@ -25,7 +26,7 @@ bool all(const Editor& editor, Test test) {
 
 void select(Editor& editor, std::set<std::string> names) {
   editor.canvas.selectedLink.reset();
-  editor.canvas.selectedFrame.clear();
+  editor.canvas.selectedFrame.reset();
   editor.document.select(std::move(names));
 }
 
@@ -36,8 +37,8 @@ void deleteSelection(Editor& editor) {
   if (canvas.selectedLink) {
     tryEdit(editor, nodes::disconnect(editor.document.graph(), *canvas.selectedLink), "Remove link");
     canvas.selectedLink.reset();
-  } else if (!canvas.selectedFrame.empty()) {
-    removeFrame(editor, canvas.selectedFrame);
+  } else if (canvas.selectedFrame) {
+    removeFrame(editor, *canvas.selectedFrame);
   } else if (const std::set<std::string> names = editor.document.selection(); !names.empty()) {
     tryEdit(editor, nodes::removeNodes(editor.document.graph(), names), named("Delete", names));
   }
@@ -50,12 +51,26 @@ void deleteReconnecting(Editor& editor) {
           named("Delete and reconnect", names));
 }
 
+void extractSelection(Editor& editor) {
+  const std::set<std::string> names = editor.document.selection();
+  if (names.empty()) return;
+  tryEdit(editor, nodes::extractNodes(editor.document.graph(), names), named("Extract", names));
+}
+
 void bypassSelection(Editor& editor) {
   const std::set<std::string> names = editor.document.selection();
   if (names.empty()) return;
   const bool on = all(editor, [](const nodes::Node& n) { return n.bypass; });
   tryEdit(editor, nodes::setBypass(editor.document.graph(), names, !on),
           named(on ? "Use again" : "Bypass", names));
+}
+
+void disableSelection(Editor& editor) {
+  const std::set<std::string> names = editor.document.selection();
+  if (names.empty()) return;
+  const bool on = all(editor, [](const nodes::Node& n) { return n.disabled; });
+  tryEdit(editor, nodes::disableNodes(editor.document.graph(), names, !on),
+          named(on ? "Enable" : "Disable", names));
 }
 
 void muteSelectedLink(Editor& editor) {
@@ -70,21 +85,21 @@ void muteSelectedLink(Editor& editor) {
 
 void colorSelection(Editor& editor, const std::string& color) {
   const std::set<std::string> names = editor.document.selection();
-  nodes::Graph graph = editor.document.graph();
-  for (const std::string& name : names) {
-    const nodes::Node* old = nodes::findNode(graph, name);
-    if (!old || old->color == color) continue;
-    nodes::Node node = *old;
-    node.color = color;
-    graph.nodes[name] = std::make_shared<const nodes::Node>(std::move(node));
-  }
-  tryEdit(editor, std::move(graph), named("Colour", names));
+  tryEdit(editor, nodes::setColor(editor.document.graph(), names, color), named("Colour", names));
 }
 
 void selectAllNodes(Editor& editor) {
   std::set<std::string> names;
   for (const auto& [name, node] : editor.document.graph().nodes) names.insert(name);
   select(editor, std::move(names));
+}
+
+void selectUpstream(Editor& editor) {
+  select(editor, nodes::upstreamOf(editor.document.graph(), editor.document.selection()));
+}
+
+void selectDownstream(Editor& editor) {
+  select(editor, nodes::downstreamOf(editor.document.graph(), editor.document.selection()));
 }
 
 }  // namespace pileus::editor

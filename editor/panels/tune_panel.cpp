@@ -22,7 +22,7 @@ using view::TuneCandidate;
 std::vector<nodes::ShadowGroup> groupsOf(const Editor& editor) {
   const auto& picture = editor.preview.picture();
   if (!picture || !picture->scene || editor.preview.draft()) return {};
-  return nodes::shadowGroups(editor.document.graph(), cameraUser(editor, shownView(editor)), 1, *picture->scene);
+  return nodes::shadowGroups(editor.document.root(), cameraUser(editor, shownView(editor)), 1, *picture->scene);
 }
 
 std::string groupName(const nodes::ShadowGroup& group) {
@@ -89,7 +89,7 @@ void chooseGroup(Editor& editor, const std::vector<nodes::ShadowGroup>& groups, 
 
 void writeChoice(Editor& editor, const TuneCandidate& c) {
   const TunePanel& panel = editor.lab.tune;
-  if (tryEdit(editor, nodes::writeGroup(editor.document.graph(), panel.tuned, c.spec), "Tune shadows"))
+  if (tryEditRoot(editor, nodes::writeGroup(editor.document.root(), panel.tuned, c.spec), "Tune shadows"))
     editor.messages.note("Written into " + groupName(panel.tuned) + ": " + shadow::describe(c.spec));
 }
 

@@ -7,6 +7,7 @@
 
 #include "editor/editor.h"
 #include "editor/viewed_node.h"
+#include "editor/viewport/shadow_place.h"
 
 namespace pileus::editor {
 namespace {
@@ -27,7 +28,7 @@ const nodes::SocketSpec* socketOfType(const nodes::NodeType& type, nodes::Socket
 
 Box3 volumeBounds(const Editor& editor, const std::string& user) {
   Box3 box;
-  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Graph& graph = editor.document.root();
   const nodes::Node* node = nodes::findNode(graph, user);
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::SocketSpec* volumes = type ? socketOfType(*type, nodes::SocketType::Volume) : nullptr;
@@ -42,19 +43,19 @@ Box3 volumeBounds(const Editor& editor, const std::string& user) {
 }
 
 double aspect(const Editor& editor) {
-  const ivec2 size = editor.document.graph().settings.size;
+  const ivec2 size = editor.document.root().settings.size;
   return size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
 }
 
 void setExposure(Editor& editor, double stops) {
   const std::string view = displayNode(editor);
   if (!view.empty())
-    tryEdit(editor, nodes::setParam(editor.document.graph(), view, "exposure", stops), "Exposure",
+    tryEditRoot(editor, nodes::setParam(editor.document.root(), view, "exposure", stops), "Exposure",
             "exposure keys");
 }
 
 double exposure(const Editor& editor) {
-  const nodes::Node* node = nodes::findNode(editor.document.graph(), displayNode(editor));
+  const nodes::Node* node = nodes::findNode(editor.document.root(), displayNode(editor));
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::ParamSpec* spec = type ? type->param("exposure") : nullptr;
   const nodes::ParamValue value = spec ? nodes::paramValue(*node, *spec) : nodes::ParamValue(0.0);
@@ -64,12 +65,12 @@ double exposure(const Editor& editor) {
 }  // namespace
 
 std::string shownView(const Editor& editor) {
-  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Graph& graph = editor.document.root();
   return viewable(graph, editor.viewport.activeView) ? editor.viewport.activeView : firstView(graph);
 }
 
 std::string displayNode(const Editor& editor) {
-  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Graph& graph = editor.document.root();
   const std::string shown = shownView(editor);
   std::deque<std::string> open{shown};
   std::set<std::string> seen{shown};
@@ -86,7 +87,7 @@ std::string displayNode(const Editor& editor) {
 }
 
 std::string cameraUser(const Editor& editor, const std::string& view) {
-  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Graph& graph = editor.document.root();
   std::deque<std::string> queue{view};
   std::set<std::string> seen;
   while (!queue.empty()) {
@@ -104,7 +105,7 @@ std::string cameraUser(const Editor& editor, const std::string& view) {
 
 std::string linkedCamera(const Editor& editor, const std::string& view) {
   const std::string user = cameraUser(editor, view);
-  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Graph& graph = editor.document.root();
   for (const nodes::Link& link : graph.links) {
     if (link.toNode != user || link.muted) continue;
     const nodes::Node* source = nodes::findNode(graph, link.fromNode);
@@ -118,12 +119,13 @@ std::string linkedCamera(const Editor& editor, const std::string& view) {
 }
 
 scene::Camera currentCamera(const Editor& editor) {
+  if (const auto light = lightViewCamera(editor)) return *light;
   const std::string view = shownView(editor), name = linkedCamera(editor, view);
   if (name.empty()) {
     if (editor.viewport.freeCamera) return *editor.viewport.freeCamera;
     return scene::frameBounds(volumeBounds(editor, cameraUser(editor, view)), aspect(editor));
   }
-  const nodes::Node& node = *nodes::findNode(editor.document.graph(), name);
+  const nodes::Node& node = *nodes::findNode(editor.document.root(), name);
   const nodes::NodeType& type = *nodes::findNodeType(node.type);
   scene::Camera camera;
   const auto vector = [&](const char* id, dvec3& out) {
@@ -146,6 +148,7 @@ void setCamera(Editor& editor, const scene::Camera& camera, const std::string& l
                const std::string& mergeKey) {
   const std::string name = linkedCamera(editor, shownView(editor));
   editor.preview.touch();
+  if (lightViewCamera(editor)) return moveLightView(editor, camera, mergeKey);
   if (name.empty()) {
     editor.viewport.freeCamera = camera;
     return;
@@ -156,9 +159,14 @@ void setCamera(Editor& editor, const scene::Camera& camera, const std::string& l
         std::pow(10.0, std::floor(std::log10(std::max(glm::length(camera.eye - camera.target), 1e-6))) - 5);
     return glm::round(v / step) * step;
   };
-  Result<nodes::Graph> graph = nodes::setParam(editor.document.graph(), name, "eye", tidy(camera.eye));
+  Result<nodes::Graph> graph = nodes::setParam(editor.document.root(), name, "eye", tidy(camera.eye));
   if (graph) graph = nodes::setParam(*graph, name, "target", tidy(camera.target));
-  tryEdit(editor, std::move(graph), label, mergeKey);
+  // A place that was saved has an angle of its own.
+  if (const scene::Camera now = currentCamera(editor); now.fov != camera.fov || now.up != camera.up) {
+    if (graph) graph = nodes::setParam(*graph, name, "fov", camera.fov);
+    if (graph) graph = nodes::setParam(*graph, name, "up", camera.up);
+  }
+  tryEditRoot(editor, std::move(graph), label, mergeKey);
 }
 
 void frameVolumes(Editor& editor) {

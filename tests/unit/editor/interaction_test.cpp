@@ -323,7 +323,7 @@ TEST(Interaction, ALassoSelectsAndAToolFromTheMenuActsOnce) {
 TEST(Interaction, FramesMoveWithTheirContentAndResizeAtTheirSides) {
   Hit header;
   header.kind = Hit::Kind::Frame;
-  header.node = "1";
+  header.frame = 1;
   Hand hand;
   hand.in.pressed[0] = true;
   hand.frame({0, 0}, header);

@@ -69,12 +69,13 @@ TEST(MapThumbnail, EachCoefficientHasATileAndTheDepthInAllIsWarm) {
 }
 
 TEST(MapThumbnail, SignsAreTold) {
-  // Two slabs at the far end of the ray: the first cosine is negative there.
-  const auto map = test::build(test::fourier(5, 64), {test::box({0, 0, 0}, {2, 2, 2}, 1)}, sun());
+  // Beside its middle a ball lies around half of the ray: the first cosine is negative there.
+  const auto map = test::build(test::fourier(5, 64), {test::ball({0, 0, 0}, 1, 1)}, sun());
   ASSERT_TRUE(map);
   const Tiles t = tilesOf(*map);
   ASSERT_EQ(t.count, 5);
-  EXPECT_GT(t.at(0, kTile / 2, kTile / 2).x, t.at(0, kTile / 2, kTile / 2).z);
+  EXPECT_GT(t.at(0, 5, kTile / 2).x, t.at(0, 5, kTile / 2).z + 20);
+  EXPECT_GT(t.at(1, 5, kTile / 2).z, t.at(1, 5, kTile / 2).x + 20);
 }
 
 TEST(MapThumbnail, OtherKindsOfMaps) {

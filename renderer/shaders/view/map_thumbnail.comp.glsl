@@ -1,5 +1,4 @@
 // Tiles of a shadow map, one for each value of a texel: a work group looks at the whole map for the largest value, then colours it.
-#version 450 core
 #include "shared/bindings.h"
 
 #define SIGNED 0

@@ -8,6 +8,7 @@
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/canvas_menus.h"
+#include "editor/graph_view/frames.h"
 #include "editor/icons.h"
 #include "editor/menu.h"
 #include "editor/panels/lab.h"
@@ -29,6 +30,7 @@ constexpr float kBar = 36, kGrip = 6;
 void drawGraphPanel(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
   drawCanvas(editor, min, max, hovered);
   drawCanvasMenu(editor);
+  drawFrameTitleField(editor);
   drawSearch(editor);
   drawFind(editor);
 }

@@ -336,7 +336,8 @@ TEST(Canvas, DotsFramesAndGroups) {
   c.ui.screenshot("canvas-13-frame");
   const json framed = c.document();
   const json sun = c.ui.trace()["rects"]["node/Sun"];
-  const Point header = c.ui.center("frame/0/header");
+  const json frame = c.ui.trace()["rects"]["frame/0"];
+  const Point header{c.ui.center("frame/0").x, frame[1].get<double>() + 12};
   c.ui.drag(header, {header.x + 20, header.y + 12});
   EXPECT_TRUE(c.until(
       [&](const json& t) { return t["document"]["nodes"]["Sun"]["at"] != framed["nodes"]["Sun"]["at"]; }));
@@ -365,10 +366,28 @@ TEST(Canvas, DotsFramesAndGroups) {
 }
 
 TEST(Canvas, CopiesThroughTheSystemClipboardToAnotherWindow) {
-  UiSession first({1280, 1500}, {graphFile().string()});
+  UiSession first({1280, 1460}, {graphFile().string()}, {1280, 720});
   ASSERT_TRUE(first.running()) << first.log();
-  UiSession second(first, 760, {1280, 720}, {graphFile().string()});
+  UiSession second(first, 730, {1280, 720}, {graphFile().string()});
   ASSERT_TRUE(second.running()) << second.log();
+  first.click("header/Sun");
+  first.click(first.center("header/Map"), {"shift"});
+  first.key("ctrl+c");
+  ASSERT_TRUE(
+      first.waitFor([](const json& t) { return t["message"].get<std::string>().starts_with("Copied"); }));
+  second.move(second.emptySpot());
+  second.key("ctrl+v");
+  ASSERT_TRUE(second.waitFor([](const json& t) {
+    return t["document"]["nodes"].contains("Sun 2") && hasLink(t, "Sun 2.light -> Map 2.light");
+  })) << second.trace()["message"];
+  EXPECT_EQ(second.trace()["document"]["nodes"]["Sun 2"]["params"],
+            first.trace()["document"]["nodes"]["Sun"]["params"]);
+  second.key("ctrl+v");
+  ASSERT_TRUE(second.waitFor([](const json& t) { return t["document"]["nodes"].contains("Sun 3"); }));
+  const json nodes = second.trace()["document"]["nodes"];
+  EXPECT_NE(nodes["Sun 2"]["at"], nodes["Sun 3"]["at"])
+      << "a further paste in the same place lies beside the first";
+  second.screenshot("canvas-15-two-windows");
 }
 
 }  // namespace

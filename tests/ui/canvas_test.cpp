@@ -366,7 +366,7 @@ TEST(Canvas, DotsFramesAndGroups) {
 }
 
 TEST(Canvas, CopiesThroughTheSystemClipboardToAnotherWindow) {
-  UiSession first({1280, 1460}, {graphFile().string()}, {1280, 720});
+  UiSession first({1280, 1460}, {graphFile().string()}, {{"window", {1280, 720}}});
   ASSERT_TRUE(first.running()) << first.log();
   UiSession second(first, 730, {1280, 720}, {graphFile().string()});
   ASSERT_TRUE(second.running()) << second.log();

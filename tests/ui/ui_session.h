@@ -87,12 +87,13 @@ class UiSession {
   UiSession(const UiSession& other, int below, ivec2 size, const std::vector<std::string>& arguments)
       : screen_(other.screen_), folder_(scratchFolder()), display_(other.display_), below_(below) {
     std::filesystem::create_directories(folder_ / "config" / "pileus");
-    std::ofstream(folder_ / "config" / "pileus" / "settings.json") << json{{"window", {size.x, size.y}}}.dump();
+    std::ofstream(folder_ / "config" / "pileus" / "settings.json") << json{{"window", {size.x, size.y}}, {"showStart", false}}.dump();
     std::vector<std::string> all{PILEUS_BINARY};
     all.insert(all.end(), arguments.begin(), arguments.end());
     app_ = launch(all,
                   {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1", "PILEUS_UI_TRACE=" + tracePath().string(),
-                   "XDG_CONFIG_HOME=" + (folder_ / "config").string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()},
+                   "XDG_CONFIG_HOME=" + (folder_ / "config").string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
+                   "XDG_STATE_HOME=" + (folder_ / "state").string(), "HOME=" + folder_.string()},
                   folder_ / "app.log");
     running_ = waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
     const RunResult found = run({"xdotool", "search", "--pid", std::to_string(app_)}, 20, {display_});

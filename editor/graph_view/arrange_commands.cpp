@@ -23,7 +23,7 @@ Picked pick(Editor& editor, bool allWithout) {
     if (!selection.contains(p.name) && !(allWithout && selection.empty())) continue;
     boxOf[static_cast<std::size_t>(i)] = static_cast<int>(picked.boxes.size());
     picked.names.push_back(p.name);
-    picked.boxes.push_back({p.node->at, dvec2(p.max - p.min)});
+    picked.boxes.push_back({dvec2(p.min), dvec2(p.max - p.min)});
   }
   for (const LinkPlace& l : layout->links) {
     const int from = boxOf[static_cast<std::size_t>(l.from)], to = boxOf[static_cast<std::size_t>(l.to)];

@@ -29,8 +29,9 @@ void addSockets(NodePlace& p, const nodes::SocketTable& table) {
   for (nodes::SocketInfo& s : table.outputs(p.name)) add(std::move(s), false);
 }
 
-/// A dot is a point on a link, with a socket at either side of it.
+/// A dot is a point on a link, with a socket at either side of it. Its place is that of a square of 20.
 void placeDot(NodePlace& p) {
+  p.min += 0.5f * (vec2(20) - vec2(kDotWidth, kDotHeight));
   p.max = p.min + vec2(kDotWidth, kDotHeight);
   for (SocketPlace& s : p.sockets) s.at = {s.input ? p.min.x : p.max.x, 0.5f * (p.min.y + p.max.y)};
 }

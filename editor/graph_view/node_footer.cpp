@@ -91,7 +91,8 @@ void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& pla
   } else {
     const auto out =
         kind == FooterKind::Follower
-            ? fmt::format_to_n(text, sizeof text, "waits for {}", look.source)
+            ? fmt::format_to_n(text, sizeof text, "waits for {}",
+                               look.source.empty() ? "another node" : look.source)
             : fmt::format_to_n(text, sizeof text, "{} {:.0f} %", status.what, 100 * status.fraction);
     shown = {text, std::min(out.size, sizeof text)};
   }
@@ -104,7 +105,9 @@ void drawCosts(const Theme& theme, const CanvasView& view, const NodePlace& plac
   char text[96];
   char* end = text;
   const auto add = [&](const char* format, auto... args) {
-    end = fmt::format_to_n(end, static_cast<std::size_t>(text + sizeof text - end), fmt::runtime(format), args...).out;
+    end = fmt::format_to_n(end, static_cast<std::size_t>(text + sizeof text - end), fmt::runtime(format),
+                           args...)
+              .out;
     end = std::min(end, text + sizeof text);
   };
   const auto ms = [&](const char* name, double value) {

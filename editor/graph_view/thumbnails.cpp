@@ -33,7 +33,7 @@ std::shared_ptr<const view::Picture> pictureOf(const nodes::SocketValue* value) 
 
 NodePicture Thumbnails::image(Editor& editor, const std::string& name) {
   const std::shared_ptr<const view::Picture> picture =
-      pictureOf(shownImage(editor.preview.evaluator(), editor.document.graph(), evaluatedName(editor, name)));
+      pictureOf(shownImage(editor.preview.evaluator(), editor.document.root(), evaluatedName(editor, name)));
   Entry& e = entries_[name];
   if (!picture || picture->size.x <= 0 || !editor.viewport.colors) return e.picture;
   const view::DisplaySettings settings = displaySettings(editor);

@@ -15,6 +15,7 @@
 #include "editor/icons.h"
 #include "editor/widgets.h"
 #include "nodes/graph_edits.h"
+#include "nodes/graph_sockets.h"
 
 namespace pileus::editor {
 namespace {
@@ -32,13 +33,13 @@ void addChosen(Editor& editor, const SearchItem& item) {
     const LinkDrag& drag = *search.link;
     const nodes::Link link = drag.fromOutput ? nodes::Link{drag.node, drag.socket, name, item.socket}
                                              : nodes::Link{name, item.socket, drag.node, drag.socket};
+    if (drag.replaces) added = nodes::disconnect(*added, *drag.replaces);
+    added = nodes::connect(*added, link);
     // The socket comes to lie where the link was dropped.
-    const Layout layout = layoutGraph(*added, {});
+    const Layout layout = added ? layoutGraph(*added, {}) : Layout{};
     if (const NodePlace* place = findPlace(layout, name))
       if (const SocketPlace* socket = findSocket(*place, item.socket, drag.fromOutput))
         added = nodes::moveNodes(*added, {name}, dvec2(search.place - socket->at));
-    if (drag.replaces) added = nodes::disconnect(*added, *drag.replaces);
-    added = nodes::connect(*added, link);
   }
   if (added && !search.link && editor.canvas.selectedLink) {
     // A new node goes into the selected link where it fits.
@@ -154,6 +155,12 @@ std::vector<SearchItem> searchItems(const std::optional<LinkFilter>& filter) {
     for (std::size_t i = first; i < items.size(); ++i)
       items[i].label = several ? type.label + ": " + items[i].label : type.label;
   }
+  // Parameters that the link would make a socket of come after what is one already.
+  if (filter && filter->fromOutput)
+    for (const nodes::NodeType& type : nodes::allNodeTypes())
+      for (const nodes::ParamSpec& p : type.params)
+        if (nodes::convertible(filter->type, nodes::socketType(p.type)))
+          items.push_back({&type, p.id, type.label + ": " + p.label});
   return items;
 }
 

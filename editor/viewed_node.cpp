@@ -119,4 +119,13 @@ void viewSlot(Editor& editor, int number) {
 
 void clearViewSlots(Editor& editor) { editor.canvas.slots = {}; }
 
+void viewsFollow(Editor& editor, const std::string& from, const std::string& to) {
+  const std::string before = editor.document.scopedName(from), after = editor.document.scopedName(to);
+  const auto follow = [&](std::string& path) {
+    if (path == before || path.starts_with(before + "/")) path.replace(0, before.size(), after);
+  };
+  follow(editor.viewport.activeView);
+  for (std::string& slot : editor.canvas.slots) follow(slot);
+}
+
 }  // namespace pileus::editor

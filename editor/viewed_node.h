@@ -36,5 +36,7 @@ void viewSelected(Editor& editor);
 /// `number` from 1: shows what the slot holds; a free one takes the selected node first.
 void viewSlot(Editor& editor, int number);
 void clearViewSlots(Editor& editor);
+/// A node of the current scope has another name now.
+void viewsFollow(Editor& editor, const std::string& from, const std::string& to);
 
 }  // namespace pileus::editor

@@ -57,7 +57,7 @@ void drawName(Editor& editor, const std::string& name) {
     std::set<std::string> selection = editor.document.selection();
     if (selection.erase(name)) selection.insert(panel.nameText);
     editor.document.select(std::move(selection));
-    if (editor.viewport.activeView == name) editor.viewport.activeView = panel.nameText;
+    viewsFollow(editor, name, panel.nameText);
     if (panel.pinned == name) panel.pinned = panel.nameText;
   }
   panel.nameOf.clear();

@@ -58,7 +58,7 @@ TEST(NodeSearch, AFilterLeavesOnlyWhatFits) {
       for (const nodes::NodeType& t : nodes::allNodeTypes())
         for (const nodes::SocketSpec& s : fromOutput ? t.inputs : t.outputs)
           expected += s.type == type ? 1u : 0u;
-      EXPECT_EQ(items.size(), expected);
+      EXPECT_EQ(items.size(), expected) << "no parameter takes these types";
       for (const SearchItem& item : items) {
         const int index =
             fromOutput ? item.type->inputIndex(item.socket) : item.type->outputIndex(item.socket);

@@ -87,6 +87,7 @@ class ParamRow {
   }
   ParamRow& soft(double lo, double hi) { return spec_->softMin = lo, spec_->softMax = hi, *this; }
   ParamRow& logarithmic() { return spec_->logarithmic = true, *this; }
+  ParamRow& socket() { return spec_->socket = true, *this; }
   ParamRow& file(std::string kinds, bool writes = false) { return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this; }
 
  private:

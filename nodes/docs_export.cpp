@@ -61,7 +61,7 @@ std::string cell(std::string text) {
 }
 
 std::string socketKind(const SocketSpec& socket) {
-  std::string text(enumId(socket.type));
+  std::string text(socket.any ? "any" : enumId(socket.type));
   if (socket.many) text += ", many";
   if (socket.required) text += ", required";
   return text;
@@ -108,7 +108,7 @@ Json valueJson(const ParamValue& value) {
 Json socketsJson(const std::vector<SocketSpec>& sockets, bool inputs) {
   Json list = Json::array();
   for (const SocketSpec& s : sockets) {
-    Json json = {{"id", s.id}, {"label", s.label}, {"type", std::string(enumId(s.type))}, {"help", s.help}};
+    Json json = {{"id", s.id}, {"label", s.label}, {"type", s.any ? "any" : std::string(enumId(s.type))}, {"help", s.help}};
     if (inputs) json["many"] = s.many, json["required"] = s.required;
     list.push_back(std::move(json));
   }

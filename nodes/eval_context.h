@@ -41,6 +41,7 @@ struct EvalSettings {
   view::ExtraLayers extra;                     ///< and what is made beside it
   view::PictureRegion region;                  ///< the part of a picture that is made
   std::shared_ptr<const view::Picture> seed;   ///< what parts still to come show; no part of any key
+  double fps = 24;                             ///< the document's; the evaluator sets it
   double budgetMs = 30;                        ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
 };
 
@@ -51,6 +52,7 @@ class EvalContext {
 
   // Context values: legal only where the type's uses() declares them (they enter the content key there).
   int frame() const { return settings_->frame; }
+  double fps() const { return settings_->fps; }
   ivec2 size() const { return settings_->size; }
   Quality quality() const { return settings_->quality; }
   const std::optional<scene::Camera>& freeCamera() const { return settings_->freeCamera; }

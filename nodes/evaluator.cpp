@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/flatten.h"
+#include "nodes/graph_sockets.h"
 #include "nodes/node_inputs.h"
 #include "nodes/result_cache.h"
 
@@ -11,10 +13,11 @@ namespace {
 
 /// What one evaluate() knows about a wanted node.
 struct Run {
-  Key key;                      ///< zero: not reached
-  Values values;                ///< null: none
-  std::vector<Key> outputKeys;  ///< what dependants hash, one per output
-  bool final = false;           ///< neither it nor anything upstream can still change
+  Key key;                           ///< zero: not reached
+  Values values;                     ///< null: none
+  std::vector<Key> outputKeys;       ///< what dependants hash, one per output
+  bool final = false;                ///< neither it nor anything upstream can still change
+  std::optional<SocketType> passed;  ///< a dot: the type of what it passes
 };
 
 const SocketValue* find(const Values& values, const NodeType* type, std::string_view socket) {
@@ -41,7 +44,11 @@ struct Evaluator::Impl {
   TypeLookup lookup;
   ResultCache cache;
   std::uint64_t call = 0;
-  Graph graph;
+  Graph whole;     ///< as last given
+  FlatGraph flat;  ///< of it
+  const Graph& graph = flat.graph;
+  bool flattened = false;
+  mutable std::map<std::string, NodeStatus> groupStatuses;   ///< summaries asked for since
   std::map<std::string, std::vector<const Link*>> incoming;  ///< active links of `graph` by target
   std::map<std::string, NodeStatus> statuses;
   std::map<std::string, Run> runs;
@@ -56,7 +63,21 @@ struct Evaluator::Impl {
 
   const NodeType* typeOf(const std::string& node) const {
     const Node* n = findNode(graph, node);
-    return n ? lookup(n->type) : nullptr;
+    if (!n) return nullptr;
+    static const NodeType* const dot = findNodeType("dot");
+    return n->type == "dot" ? dot : lookup(n->type);
+  }
+  /// What an output gives; a dot that nothing is linked to gives nothing.
+  std::optional<SocketType> typeGiven(const NodeType& type, std::size_t output, const std::string& node) {
+    if (type.outputs[output].any) return runs[node].passed;
+    return type.outputs[output].type;
+  }
+  /// A group's socket is a dot in the flat graph.
+  std::string socketNode(const std::string& node, std::string_view socket) const {
+    return flat.groups.contains(node) ? node + "/" + std::string(socket) : node;
+  }
+  std::string socketName(const std::string& node, std::string_view socket, std::string_view dot) const {
+    return std::string(flat.groups.contains(node) ? dot : socket);
   }
   const std::vector<const Link*>& linksInto(const std::string& node) const {
     static const std::vector<const Link*> none;
@@ -69,7 +90,10 @@ struct Evaluator::Impl {
     return nullptr;
   }
 
+  void take(const Graph& given);
   void visit(const std::string& name);
+  void visitDot(const std::string& name);
+  const NodeStatus& groupStatus(const std::string& group) const;
   std::optional<Error> gather(const std::string& name, const Node& node, const NodeType& type,
                               NodeInputs& in);
   void passThrough(const NodeType& type, const NodeInputs& in, Run& run);
@@ -97,30 +121,40 @@ std::optional<Error> Evaluator::Impl::gather(const std::string& name, const Node
   in.keys.resize(type.inputs.size());
   for (const Link* incomingLink : linksInto(name)) {
     const Link& link = *incomingLink;
-    const int index = type.inputIndex(link.toSocket);
-    if (index < 0) return fail(Code::Input, "{}.{}: there is no such input", name, link.toSocket);
+    const int index = type.inputIndex(link.toSocket), param = type.paramIndex(link.toSocket);
+    if (index < 0 && param < 0)
+      return fail(Code::Input, "{}.{}: there is no such input", name, link.toSocket);
     const auto i = static_cast<std::size_t>(index);
+    const SocketType takes =
+        index >= 0 ? type.inputs[i].type : socketType(type.params[static_cast<std::size_t>(param)].type);
     const NodeType* source = typeOf(link.fromNode);
     const int output = source ? source->outputIndex(link.fromSocket) : -1;
     if (output < 0)
       return fail(Code::Input, "{}.{}: {} has no output '{}'", name, link.toSocket, link.fromNode,
                   link.fromSocket);
     const auto o = static_cast<std::size_t>(output);
-    if (!convertible(source->outputs[o].type, type.inputs[i].type))
-      return fail(Code::Input, "{}.{}: takes {}, but {}.{} gives {}", name, link.toSocket,
-                  enumId(type.inputs[i].type), link.fromNode, link.fromSocket,
-                  enumId(source->outputs[o].type));
-    if (!type.inputs[i].many && in.linked.contains(index))
+    const auto gives = typeGiven(*source, o, link.fromNode);
+    if (gives && !convertible(*gives, takes))
+      return fail(Code::Input, "{}.{}: takes {}, but {}.{} gives {}", name, link.toSocket, enumId(takes),
+                  link.fromNode, link.fromSocket, enumId(*gives));
+    if (index >= 0 ? !type.inputs[i].many && in.linked.contains(index) : in.paramLinks.contains(param))
       return fail(Code::Input, "{}.{}: takes one link, but has several", name, link.toSocket);
-    in.linked.insert(index);
+    if (index >= 0)
+      in.linked.insert(index);
+    else
+      in.paramLinks[param] = incomingLink;
     const Run& run = runs[link.fromNode];
     in.final = in.final && run.final;
     if (!run.values || (!run.final && std::isinf(settings->budgetMs))) {
       if (in.waitingFor.empty()) in.waitingFor = link.fromNode;
       continue;
     }
-    const SocketValue value = convertedValue((*run.values)[o], type.inputs[i].type);
+    const SocketValue value = convertedValue((*run.values)[o], takes);
     if (std::holds_alternative<std::monostate>(value)) continue;  // a bypassed node with nothing to pass on
+    if (index < 0) {
+      in.linkedParams[param] = value;
+      continue;
+    }
     in.links[i].push_back(value);
     in.keys[i].push_back(run.outputKeys[o]);
   }
@@ -217,13 +251,61 @@ void Evaluator::Impl::publish(const std::string& name, const NodeType& type, con
   }
 }
 
+/// A dot passes on what it is given under the same key, so that it changes nothing downstream.
+void Evaluator::Impl::visitDot(const std::string& name) {
+  Run& run = runs[name];
+  NodeStatus& status = statuses[name];
+  const auto& links = linksInto(name);
+  SocketValue value;
+  Key key = Hasher().add("nothing").key();
+  run.final = true;
+  if (links.size() > 1)
+    return failed(name, NodeState::Failed, fail(Code::Input, "{}: takes one link, but has several", name));
+  if (!links.empty()) {
+    const Link& link = *links.front();
+    const NodeType* source = typeOf(link.fromNode);
+    const int output = source ? source->outputIndex(link.fromSocket) : -1;
+    if (output < 0 || link.toSocket != "in")
+      return failed(name, NodeState::Failed,
+                    fail(Code::Input, "{}.{}: {} has no output '{}'", name, link.toSocket, link.fromNode,
+                         link.fromSocket));
+    const auto o = static_cast<std::size_t>(output);
+    run.passed = typeGiven(*source, o, link.fromNode);
+    const Run& from = runs[link.fromNode];
+    if (!from.values || (!from.final && std::isinf(settings->budgetMs))) {
+      run.final = false;
+      status.state = NodeState::Pending;
+      status.fraction = 0;
+      status.what = "Waiting for " + link.fromNode;
+      return;
+    }
+    run.final = from.final;
+    value = (*from.values)[o];
+    key = from.outputKeys[o];
+    status.fraction = statuses[link.fromNode].fraction;
+  }
+  run.key = key;
+  run.outputKeys = {key};
+  run.values = std::make_shared<const std::vector<SocketValue>>(1, std::move(value));
+  lastGood[name] = run.values;
+  status.state = run.final ? NodeState::Ready : NodeState::Partial;
+}
+
 /// Brings one node up to date; everything upstream has been visited.
 void Evaluator::Impl::visit(const std::string& name) {
   const Node& node = *findNode(graph, name);
-  const NodeType* type = lookup(node.type);
+  if (const auto fault = flat.faults.find(name); fault != flat.faults.end())
+    return failed(name, NodeState::Failed, fault->second);
+  const NodeType* type = typeOf(name);
   if (!type)
     return failed(name, NodeState::Failed, fail(Code::Input, "{}: unknown node type '{}'", name, node.type));
   for (const Link* link : linksInto(name)) {
+    const auto slash = link->fromNode.rfind('/');
+    if (!findNode(graph, link->fromNode) && slash != std::string::npos &&
+        flat.groups.contains(link->fromNode.substr(0, slash)))
+      return failed(name, NodeState::Failed,
+                    fail(Code::Input, "{}.{}: {} has no output '{}'", name, link->toSocket,
+                         link->fromNode.substr(0, slash), link->fromNode.substr(slash + 1)));
     if (!findNode(graph, link->fromNode))
       return failed(name, NodeState::Failed,
                     fail(Code::Input, "{}.{}: there is no node '{}'", name, link->toSocket, link->fromNode));
@@ -234,6 +316,7 @@ void Evaluator::Impl::visit(const std::string& name) {
       return failed(name, NodeState::Skipped, error);
     }
   }
+  if (node.type == "dot") return visitDot(name);
   NodeInputs in;
   if (auto error = gather(name, node, *type, in)) return failed(name, NodeState::Failed, std::move(*error));
   Run& run = runs[name];
@@ -277,14 +360,37 @@ void Evaluator::Impl::visit(const std::string& name) {
   publish(name, *type, in, result);
 }
 
-EvalReport Evaluator::evaluate(const Graph& graph, const std::vector<std::string>& targets,
-                               const EvalSettings& settings) {
+/// Flattens a graph unless it is the one it was.
+void Evaluator::Impl::take(const Graph& given) {
+  if (flattened && whole == given) return;
+  whole = given;
+  flat = flatten(whole);
+  flattened = true;
+  incoming.clear();
+  for (const Link& link : flat.graph.links) incoming[link.toNode].push_back(&link);
+  std::erase_if(lastGood, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
+  std::erase_if(statuses, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
+}
+
+EvalReport Evaluator::evaluate(const Graph& given, const std::vector<std::string>& wanted,
+                               const EvalSettings& wantedSettings) {
   Impl& self = *impl_;
-  self.graph = graph;
-  self.incoming.clear();
-  for (const Link& link : self.graph.links)
-    if (!link.muted) self.incoming[link.toNode].push_back(&link);
+  self.take(given);
+  const Graph& graph = self.graph;
+  EvalSettings settings = wantedSettings;
+  settings.fps = given.settings.fps;
+  std::vector<std::string> targets;
+  for (const std::string& target : wanted) {
+    if (!self.flat.groups.contains(target))
+      targets.push_back(target);
+    else
+      for (auto it = graph.nodes.lower_bound(target + "/");
+           it != graph.nodes.end() && it->first.starts_with(target + "/"); ++it)
+        if (it->first.find('/', target.size() + 1) == std::string::npos && it->second->type == "dot")
+          targets.push_back(it->first);
+  }
   self.settings = &settings;
+  self.groupStatuses.clear();
   self.clock.restart();
   self.stepped = self.workLeft = false;
   self.waiting = 0;
@@ -295,8 +401,6 @@ EvalReport Evaluator::evaluate(const Graph& graph, const std::vector<std::string
     status = std::move(fresh);
   }
   self.runs.clear();
-  std::erase_if(self.lastGood, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
-  std::erase_if(self.statuses, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
 
   EvalReport report;
   const UpstreamOrder upstream = upstreamOrder(graph, targets);
@@ -319,29 +423,78 @@ EvalReport Evaluator::evaluate(const Graph& graph, const std::vector<std::string
   return report;
 }
 
+const NodeStatus& Evaluator::Impl::groupStatus(const std::string& group) const {
+  const auto [place, isNew] = groupStatuses.try_emplace(group);
+  NodeStatus& sum = place->second;
+  if (!isNew) return sum;
+  const auto badness = [](NodeState state) {
+    switch (state) {
+      case NodeState::Idle:
+        return 0;
+      case NodeState::Ready:
+        return 1;
+      case NodeState::Partial:
+        return 2;
+      case NodeState::Pending:
+        return 3;
+      case NodeState::Skipped:
+        return 4;
+      case NodeState::Failed:
+        return 5;
+    }
+    return 0;
+  };
+  double fractions = 0;
+  int running = 0;
+  const std::string prefix = group + "/";
+  for (auto it = statuses.lower_bound(prefix); it != statuses.end() && it->first.starts_with(prefix); ++it) {
+    const NodeStatus& s = it->second;
+    const bool worse = badness(s.state) > badness(sum.state);
+    if (worse) sum.state = s.state;
+    if (worse && isFailure(s.state)) sum.error = s.error;
+    if (worse || sum.what.empty()) sum.what = s.what;
+    for (const std::string& warning : s.warnings)
+      sum.warnings.push_back(it->first.substr(prefix.size()) + ": " + warning);
+    sum.cpuMs += s.cpuMs;
+    sum.gpuMs += s.gpuMs;
+    sum.bytes += s.bytes;
+    sum.evaluations += s.evaluations;
+    if (s.state == NodeState::Partial || s.state == NodeState::Pending) fractions += s.fraction, ++running;
+  }
+  if (running > 0) sum.fraction = fractions / running;
+  return sum;
+}
+
 const NodeStatus& Evaluator::status(const std::string& node) const {
   static const NodeStatus idle;
+  if (impl_->flat.groups.contains(node)) return impl_->groupStatus(node);
   const auto it = impl_->statuses.find(node);
   return it == impl_->statuses.end() ? idle : it->second;
 }
 
-const SocketValue* Evaluator::output(const std::string& node, std::string_view socket) const {
+const SocketValue* Evaluator::output(const std::string& name, std::string_view socket) const {
+  const std::string node = impl_->socketNode(name, socket);
   const auto it = impl_->runs.find(node);
-  return it == impl_->runs.end() ? nullptr : find(it->second.values, impl_->typeOf(node), socket);
+  return it == impl_->runs.end()
+             ? nullptr
+             : find(it->second.values, impl_->typeOf(node), impl_->socketName(name, socket, "out"));
 }
 
 const SocketValue* Evaluator::input(const std::string& node, std::string_view socket) const {
-  const Link* link = impl_->firstLink(node, socket);
+  const Link* link = impl_->firstLink(impl_->socketNode(node, socket), impl_->socketName(node, socket, "in"));
   return link ? output(link->fromNode, link->fromSocket) : nullptr;
 }
 
-const SocketValue* Evaluator::lastGood(const std::string& node, std::string_view socket) const {
+const SocketValue* Evaluator::lastGood(const std::string& name, std::string_view socket) const {
+  const std::string node = impl_->socketNode(name, socket);
   const auto it = impl_->lastGood.find(node);
-  return it == impl_->lastGood.end() ? nullptr : find(it->second, impl_->typeOf(node), socket);
+  return it == impl_->lastGood.end()
+             ? nullptr
+             : find(it->second, impl_->typeOf(node), impl_->socketName(name, socket, "out"));
 }
 
 const SocketValue* Evaluator::lastGoodInput(const std::string& node, std::string_view socket) const {
-  const Link* link = impl_->firstLink(node, socket);
+  const Link* link = impl_->firstLink(impl_->socketNode(node, socket), impl_->socketName(node, socket, "in"));
   return link ? lastGood(link->fromNode, link->fromSocket) : nullptr;
 }
 

@@ -41,12 +41,13 @@ class Evaluator {
   explicit Evaluator(view::Renderer* renderer, TypeLookup lookup = findNodeType);
   ~Evaluator();
 
-  /// Brings `targets` (node names) up to date as far as the budget allows; call again until complete. Bypassed nodes pass the first
+  /// Groups are flattened first (flatten.h): nodes inside go by their path, "Group/Node"; a group as a target wants all its outputs.
+  /// Disabled nodes are not there. Brings `targets` (node names) up to date as far as the budget allows; call again until complete. Bypassed nodes pass the first
   /// input of the first output's type. Nodes not upstream of a target become Idle. A node downstream of a Pending one is Pending too
   /// ("Waiting for NAME"); one that is finished with a Partial input is Partial. With an infinite budget only final values flow on.
   EvalReport evaluate(const Graph& graph, const std::vector<std::string>& targets, const EvalSettings& settings);
 
-  /// As left by the last evaluate().
+  /// As left by the last evaluate(). Of a group: its worst node's state, the first error, sums of times and memory.
   const NodeStatus& status(const std::string& node) const;
   /// Output value of the last evaluate(), for its own key; null if it has none yet.
   const SocketValue* output(const std::string& node, std::string_view socket) const;

@@ -1,6 +1,7 @@
 #include "nodes/graph.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace pileus::nodes {
 namespace {
@@ -24,42 +25,19 @@ std::size_t utf8Length(std::string_view text) {
   return length;
 }
 
-/// The path of links from one node to another, as names; empty if there is none.
-std::vector<std::string> pathBetween(const Graph& graph, const std::string& from, const std::string& to) {
-  std::map<std::string, std::vector<const Link*>> outgoing;
-  for (const Link& link : graph.links) outgoing[link.fromNode].push_back(&link);
-  std::map<std::string, std::string> cameFrom{{from, ""}};
-  std::vector<std::string> open{from};
-  for (std::size_t i = 0; i < open.size() && !cameFrom.contains(to); ++i)
-    for (const Link* link : outgoing[open[i]])
-      if (cameFrom.emplace(link->toNode, open[i]).second) open.push_back(link->toNode);
-  if (!cameFrom.contains(to)) return {};
-  std::vector<std::string> path{to};
-  while (path.back() != from) path.push_back(cameFrom[path.back()]);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-/// A node type that takes `from` and gives `to`: what the user may have meant to put between.
-const NodeType* bridge(SocketType from, SocketType to) {
-  for (const NodeType& type : allNodeTypes())
-    for (const SocketSpec& in : type.inputs)
-      if (convertible(from, in.type))
-        for (const SocketSpec& out : type.outputs)
-          if (convertible(out.type, to)) return &type;
-  return nullptr;
-}
-
-std::string_view socketLabel(SocketType type) {
-  for (const auto& item : enumInfo(static_cast<SocketType*>(nullptr)))
-    if (item.value == type) return item.label;
-  return "?";
-}
-
 }  // namespace
 
+bool operator==(const Node& a, const Node& b) {
+  const auto all = [](const Node& n) {
+    return std::tie(n.type, n.at, n.params, n.animated, n.bypass, n.disabled, n.color, n.label, n.expose,
+                    n.unknown);
+  };
+  if (all(a) != all(b)) return false;
+  return a.group == b.group || (a.group && b.group && *a.group == *b.group);
+}
+
 bool operator==(const Graph& a, const Graph& b) {
-  if (a.links != b.links || a.settings != b.settings || a.unknown != b.unknown ||
+  if (a.links != b.links || a.frames != b.frames || a.settings != b.settings || a.unknown != b.unknown ||
       a.nodes.size() != b.nodes.size())
     return false;
   return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), [](const auto& x, const auto& y) {
@@ -117,34 +95,6 @@ std::string freeName(const Graph& graph, std::string_view wanted) {
     std::string candidate = name + " " + std::to_string(i);
     if (!graph.nodes.contains(candidate)) return candidate;
   }
-}
-
-std::optional<std::string> linkRefusal(const Graph& graph, const Link& link) {
-  const Node* from = findNode(graph, link.fromNode);
-  const Node* to = findNode(graph, link.toNode);
-  if (!from) return fmt::format("there is no node '{}'", link.fromNode);
-  if (!to) return fmt::format("there is no node '{}'", link.toNode);
-  const NodeType* fromType = findNodeType(from->type);
-  const NodeType* toType = findNodeType(to->type);
-  if (!fromType) return fmt::format("{} is of the unknown type '{}'", link.fromNode, from->type);
-  if (!toType) return fmt::format("{} is of the unknown type '{}'", link.toNode, to->type);
-  const int out = fromType->outputIndex(link.fromSocket), in = toType->inputIndex(link.toSocket);
-  if (out < 0) return fmt::format("{} has no output '{}'", link.fromNode, link.fromSocket);
-  if (in < 0) return fmt::format("{} has no input '{}'", link.toNode, link.toSocket);
-  const SocketType gives = fromType->outputs[static_cast<std::size_t>(out)].type;
-  const SocketType takes = toType->inputs[static_cast<std::size_t>(in)].type;
-  if (!convertible(gives, takes)) {
-    std::string text =
-        fmt::format("{} takes {}, not {}", link.toNode, socketLabel(takes), socketLabel(gives));
-    if (const NodeType* helper = bridge(gives, takes))
-      text += fmt::format(": put a {} node between", helper->label);
-    return text;
-  }
-  const auto path = pathBetween(graph, link.toNode, link.fromNode);
-  if (path.empty()) return std::nullopt;
-  std::string text = "this would be a cycle: ";
-  for (const std::string& name : path) text += name + " -> ";
-  return text + link.toNode;
 }
 
 UpstreamOrder upstreamOrder(const Graph& graph, const std::vector<std::string>& targets) {

@@ -12,20 +12,24 @@
 
 namespace pileus::nodes {
 
+struct Graph;
+
 struct Node {
   std::string type;                           ///< id; may be unknown (kept, shown as a warning)
   dvec2 at{0};                                ///< canvas position
   std::map<std::string, ParamValue> params;   ///< only values that differ from the type's default
   std::map<std::string, Animation> animated;  ///< of these the key values count, not `params`
-  bool bypass = false;
+  bool bypass = false;                        ///< passes the first input of its first output's type
+  bool disabled = false;                      ///< as if it were not there: links from it count as absent
   std::string color, label;                   ///< canvas only; "" = none
-  std::vector<std::string> expose;
+  std::vector<std::string> expose;            ///< parameters that are input sockets too
+  std::shared_ptr<const Graph> group;         ///< of type "group": what it holds (graph_groups.h)
   /// What this version does not understand, as JSON text, so that it survives a round trip: other members under their name; under
   /// "params/NAME" unknown parameters, expressions and values of a wrong type (the last make the node fail until it is set again).
   std::map<std::string, std::string> unknown;
 
-  bool operator==(const Node&) const = default;
 };
+bool operator==(const Node& a, const Node& b);  ///< groups by content
 using NodePtr = std::shared_ptr<const Node>;
 
 struct Link {
@@ -44,11 +48,20 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
+/// A titled rectangle behind nodes; edits in graph_frames.h.
+struct Frame {
+  std::string title, color;                   ///< color: "#rrggbb", "" = none
+  dvec2 at{0}, size{0};                       ///< upper left corner; canvas units
+  std::map<std::string, std::string> unknown;
+  bool operator==(const Frame&) const = default;
+};
+
 struct Graph {
   std::map<std::string, NodePtr> nodes;       ///< by unique name
   std::vector<Link> links;                    ///< order = order within many-inputs
-  Settings settings;
-  std::map<std::string, std::string> unknown; ///< top-level members not understood ("frames", "notes" included), JSON text
+  std::vector<Frame> frames;                  ///< back to front
+  Settings settings;                          ///< of the whole document; those of a group's graph are never used
+  std::map<std::string, std::string> unknown; ///< top-level members not understood ("notes" included), JSON text
 };
 bool operator==(const Graph& a, const Graph& b);
 
@@ -64,12 +77,15 @@ Result<void> checkName(std::string_view name);
 std::string freeName(const Graph& graph, std::string_view wanted);
 
 /// Why this link cannot be made, in words for the user (unknown socket, types differ - naming both and a node that would help -, a
-/// cycle naming its path), or nothing. A single input that is taken is no reason: connecting replaces its link.
-/// Muted links count here: they may come back.
+/// cycle naming its path), or nothing. A single input that is taken is no reason: connecting replaces its link. Nor is a parameter
+/// that is no socket yet: connecting exposes it. Muted links count here: they may come back. For many links at once build one
+/// SocketTable (graph_sockets.h).
 std::optional<std::string> linkRefusal(const Graph& graph, const Link& link);
 
-// Edits: each returns a new graph. Impossible ones return an Error (Arguments).
+// Edits: each returns a new graph. Impossible ones return an Error (Arguments). More of them: graph_edits.h, graph_groups.h,
+// graph_frames.h, graph_animation.h.
 Result<Graph> addNode(const Graph& graph, std::string_view type, dvec2 at, std::string_view name = {});  ///< name: label of the type by default, made free
+/// reconnect: what fed a node's first input of an output's type feeds what that output fed, in its place within many-inputs.
 Graph removeNodes(const Graph& graph, const std::set<std::string>& names, bool reconnect = false);
 Result<Graph> connect(const Graph& graph, const Link& link);
 Graph disconnect(const Graph& graph, const Link& link);  ///< muted or not

@@ -1,61 +1,40 @@
 // The edits of graph.h: each makes a new graph from an old one; unchanged nodes are shared.
 #include <algorithm>
 
-#include "nodes/graph.h"
+#include "nodes/graph_change.h"
+#include "nodes/graph_sockets.h"
 
 namespace pileus::nodes {
 namespace {
 
-bool sameEnds(const Link& a, const Link& b) {
-  return a.fromNode == b.fromNode && a.fromSocket == b.fromSocket && a.toNode == b.toNode &&
-         a.toSocket == b.toSocket;
-}
-
-bool sameInput(const Link& a, const Link& b) { return a.toNode == b.toNode && a.toSocket == b.toSocket; }
-
-const SocketSpec* inputSpec(const Graph& graph, const Link& link) {
-  const Node* node = findNode(graph, link.toNode);
-  const NodeType* type = node ? findNodeType(node->type) : nullptr;
-  const int i = type ? type->inputIndex(link.toSocket) : -1;
-  return i < 0 ? nullptr : &type->inputs[static_cast<std::size_t>(i)];
-}
-
-/// Replaces a node by a changed copy.
-template <class Change>
-void changeNode(Graph& graph, const std::string& name, Change change) {
-  const auto it = graph.nodes.find(name);
-  if (it == graph.nodes.end()) return;
-  Node node = *it->second;
-  change(node);
-  if (node != *it->second) it->second = std::make_shared<const Node>(std::move(node));
-}
-
 /// Links the sources of a node's inputs to the targets of its outputs where the types agree.
 Graph bridged(const Graph& graph, const std::string& name) {
-  const Node* node = findNode(graph, name);
-  const NodeType* type = node ? findNodeType(node->type) : nullptr;
-  if (!type) return graph;
+  const SocketTable table(graph);
+  const std::vector<SocketInfo> inputs = table.inputs(name), outputs = table.outputs(name);
   Graph result = graph;
-  for (const Link& out : graph.links) {
-    if (out.fromNode != name || out.muted) continue;
-    const int o = type->outputIndex(out.fromSocket);
-    if (o < 0) continue;
-    const auto input = std::find_if(type->inputs.begin(), type->inputs.end(), [&](const SocketSpec& spec) {
-      return spec.type == type->outputs[static_cast<std::size_t>(o)].type;
+  for (const Link* out : table.outOf(name)) {
+    const auto output = std::find_if(outputs.begin(), outputs.end(),
+                                     [&](const SocketInfo& s) { return s.id == out->fromSocket; });
+    if (out->muted || output == outputs.end()) continue;
+    const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const SocketInfo& s) {
+      return !s.param && (s.any || output->any || s.type == output->type);
     });
-    if (input == type->inputs.end()) continue;
-    // In place of the old link, so that the order within a many-input stays.
+    if (input == inputs.end()) continue;
+    const auto target = table.input(out->toNode, out->toSocket);
+    // In place of the old link, so that the order within a many-input stays; a single input takes the first.
     std::vector<Link> links;
     for (const Link& link : result.links) {
-      if (!sameEnds(link, out)) {
+      if (!sameEnds(link, *out)) {
         links.push_back(link);
         continue;
       }
-      for (const Link& in : graph.links) {
-        if (in.toNode != name || in.toSocket != input->id || in.muted) continue;
-        const Link joined{in.fromNode, in.fromSocket, out.toNode, out.toSocket, false};
-        const auto same = [&](const Link& l) { return sameEnds(l, joined); };
-        if (std::none_of(result.links.begin(), result.links.end(), same)) links.push_back(joined);
+      bool taken = false;
+      for (const Link* in : table.into(name)) {
+        if (in->toSocket != input->id || in->muted || (taken && !(target && target->many))) continue;
+        const Link joined{in->fromNode, in->fromSocket, out->toNode, out->toSocket, false};
+        if (hasLink(result, joined)) continue;
+        links.push_back(joined);
+        taken = true;
       }
     }
     result.links = std::move(links);
@@ -75,6 +54,7 @@ Result<Graph> addNode(const Graph& graph, std::string_view type, dvec2 at, std::
   Node node;
   node.type = found->id;
   node.at = at;
+  if (node.type == "group") node.group = std::make_shared<const Graph>();
   result.nodes.emplace(std::move(wanted), std::make_shared<const Node>(std::move(node)));
   return result;
 }
@@ -94,7 +74,7 @@ Result<Graph> connect(const Graph& graph, const Link& wanted) {
   Graph result = graph;
   Link link = wanted;
   link.muted = false;
-  const SocketSpec* input = inputSpec(graph, link);
+  const auto input = SocketTable(graph).input(link.toNode, link.toSocket);
   const bool many = input && input->many;
   // What it replaces: the same link, or whatever a single input held. The first one's place is kept.
   const auto replaced = [&](const Link& l) { return many ? sameEnds(l, link) : sameInput(l, link); };
@@ -105,6 +85,7 @@ Result<Graph> connect(const Graph& graph, const Link& wanted) {
     return fail(Code::Arguments, "{}.{} -> {}.{}: {}", link.fromNode, link.fromSocket, link.toNode,
                 link.toSocket, *reason);
   result.links.insert(result.links.begin() + place, link);
+  if (!input) expose(result, link.toNode, link.toSocket);  // a parameter becomes a socket
   return result;
 }
 

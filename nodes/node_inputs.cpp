@@ -27,23 +27,46 @@ void addCamera(Hasher& hash, const std::optional<scene::Camera>& camera) {
   hash.add(camera->fov);
 }
 
+/// A link's value as one for this parameter; Code::Input with no place named where it is none.
+Result<ParamValue> paramFrom(const ParamSpec& spec, const SocketValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    if (!std::isfinite(*number)) return fail(Code::Input, "is not a finite number");
+    if (spec.type == ParamType::Bool) return ParamValue(*number != 0);
+    if (spec.type == ParamType::Int) return ParamValue(std::round(*number));  // checked and converted below
+    return ParamValue(*number);
+  }
+  if (const auto* vector = std::get_if<dvec3>(&value)) return ParamValue(*vector);
+  if (const auto* color = std::get_if<Color>(&value)) return ParamValue(dvec3(color->rgb));
+  if (const auto* text = std::get_if<std::string>(&value)) return ParamValue(*text);
+  return fail(Code::Input, "is not a value this parameter takes");
+}
+
 }  // namespace
 
 std::optional<Error> resolveParams(const std::string& name, const Node& node, const NodeType& type,
                                    const EvalSettings& settings, NodeInputs& in) {
-  for (const ParamSpec& spec : type.params) {
+  for (std::size_t i = 0; i < type.params.size(); ++i) {
+    const ParamSpec& spec = type.params[i];
     ParamValue raw = spec.fallback;
+    const auto linked = in.linkedParams.find(static_cast<int>(i));
+    std::string linkedFrom;
     if (const auto it = node.params.find(spec.id); it != node.params.end()) raw = it->second;
     if (const auto it = node.animated.find(spec.id); it != node.animated.end())
       raw = valueAt(it->second, settings.frame);
-    if (const auto it = node.unknown.find("params/" + spec.id); it != node.unknown.end()) {
+    if (linked != in.linkedParams.end()) {
+      const Link& link = *in.paramLinks.at(linked->first);
+      linkedFrom = " (from " + link.fromNode + "." + link.fromSocket + ")";
+      auto value = paramFrom(spec, linked->second);
+      if (!value) return fail(Code::Input, "{}.{}: {}{}", name, spec.id, value.error().message, linkedFrom);
+      raw = std::move(*value);
+    } else if (const auto it = node.unknown.find("params/" + spec.id); it != node.unknown.end()) {
       if (!it->second.starts_with("{\"expr\""))
         return fail(Code::Input, "{}.{}: {} is not a value this parameter takes", name, spec.id,
                     it->second.substr(0, 80));
       in.warnings.push_back(spec.id + ": expressions are not evaluated yet; the default is used");
     }
     auto checked = checkedParam(spec, raw);
-    if (!checked) return fail(Code::Input, "{}.{}: {}", name, spec.id, checked.error().message);
+    if (!checked) return fail(Code::Input, "{}.{}: {}{}", name, spec.id, checked.error().message, linkedFrom);
     if (spec.type == ParamType::File) {
       const std::string& text = std::get<std::string>(*checked);
       if (!text.empty()) {
@@ -71,14 +94,19 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
     cameraLinked = cameraLinked || (type.inputs[i].type == SocketType::Camera && !in.keys[i].empty());
   }
   if (type.uses & UsesFrame) hash.add(settings.frame);
+  if (type.uses & UsesRate) hash.add(settings.fps);
   if (type.uses & UsesSize) hash.add(settings.size.x).add(settings.size.y);
   if (type.uses & UsesQuality) {
     hash.add(settings.quality);
-    if (settings.quality == Quality::Draft) hash.add((type.uses & UsesSize) ? settings.draftPixels : settings.draftTexels);
+    if (settings.quality == Quality::Draft)
+      hash.add((type.uses & UsesSize) ? settings.draftPixels : settings.draftTexels);
   }
   if (type.uses & UsesLayers) {
     const view::PictureRegion& r = settings.region;
-    hash.add(settings.layer.kind).add(settings.layer.light).add(settings.extra.depth).add(settings.extra.lights);
+    hash.add(settings.layer.kind)
+        .add(settings.layer.light)
+        .add(settings.extra.depth)
+        .add(settings.extra.lights);
     hash.add(r.min.x).add(r.min.y).add(r.max.x).add(r.max.y);
   }
   if (type.uses & UsesColor)

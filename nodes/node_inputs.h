@@ -1,6 +1,7 @@
 #pragma once
 // What the evaluator gathers before it calls a node: link values, parameters and the content key made from
 // them.
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct NodeInputs {
   std::vector<std::vector<SocketValue>> links;  ///< by input, in link order
   std::vector<std::vector<Key>> keys;           ///< of those values
   std::set<int> linked;                         ///< inputs with an active link
+  std::map<int, SocketValue> linkedParams;      ///< by parameter: what a link gives instead of the constant
+  std::map<int, const Link*> paramLinks;        ///< and that link
   std::vector<ParamValue> params;               ///< by parameter: checked, files absolute
   std::vector<Key> stamps;                      ///< of the input files among them
   std::vector<std::string> warnings;

@@ -29,6 +29,7 @@ struct ParamSpec {
   std::vector<Choice> choices;     ///< Enum
   std::string fileKinds;           ///< File: "vdb", "exr"
   bool writes = false;             ///< File: an output, not an input (does not enter the content key with its stamp)
+  bool socket = false;             ///< an input socket without being exposed
   std::function<void(void* in, const ParamValue&)> set;
 };
 
@@ -37,12 +38,13 @@ struct SocketSpec {
   SocketType type = SocketType::Volume;
   bool many = false;      ///< takes many links, in order; their lists are joined
   bool required = false;  ///< inputs: evaluation fails naming it when nothing is linked
+  bool any = false;       ///< passes every type (a dot); `type` is not used
   std::function<void(void* in, const SocketValue&)> assign;   ///< inputs; called once per link, in order
   std::function<SocketValue(const void* out)> read;           ///< outputs
 };
 
 /// Parts of the context a type depends on; only these enter its content key.
-enum Uses : unsigned { UsesNothing = 0, UsesFrame = 1, UsesSize = 2, UsesQuality = 4, UsesFreeCamera = 8, UsesColor = 16, UsesLayers = 32 };
+enum Uses : unsigned { UsesNothing = 0, UsesFrame = 1, UsesSize = 2, UsesQuality = 4, UsesFreeCamera = 8, UsesColor = 16, UsesLayers = 32, UsesRate = 64 };
 
 struct NodeType {
   std::string id;        ///< "shadow.extinction"

@@ -43,7 +43,12 @@ Hit hitTest(const Layout& layout, const nodes::Graph& graph, vec2 at, float zoom
     const bool near = at.x >= node->min.x - reach && at.x <= node->max.x + reach && at.y >= node->min.y &&
                       at.y <= node->max.y;
     if (!near) continue;
-    if (const SocketPlace* s = zoom > 0.18f ? socketAt(*node, at, reach, readable, side) : nullptr) {
+    // A dot's sockets leave its middle to be grabbed.
+    const bool body =
+        node->dot && !dragging && std::abs(at.x - 0.5f * (node->min.x + node->max.x)) < 0.25f * kDotWidth;
+    const SocketPlace* s =
+        body || zoom <= 0.18f ? nullptr : socketAt(*node, at, reach, readable && !node->dot, side);
+    if (s) {
       Hit hit{s->input ? Hit::Kind::Input : Hit::Kind::Output, node->name, s->id, {}, {}};
       for (const nodes::Link& link : graph.links)
         if (s->input ? link.toNode == node->name && link.toSocket == s->id

@@ -65,6 +65,9 @@ void muteLinks(Editor& editor, const std::vector<Crossing>& crossed) {
           (all ? "Unmute " : "Mute ") + plural(crossed.size(), "link", "links"));
 }
 
+/// A dot's position is the corner of a square of 20 around its middle.
+dvec2 dotPlace(vec2 middle) { return glm::round(dvec2(middle)) - 10.0; }
+
 /// One dot for each output whose links are crossed; links of one output go through it together.
 void putDots(Editor& editor, const std::vector<Crossing>& crossed) {
   nodes::Graph graph = editor.document.graph();
@@ -75,7 +78,7 @@ void putDots(Editor& editor, const std::vector<Crossing>& crossed) {
     vec2 middle(0);
     for (const Crossing& c : links) middle += c.at / static_cast<float>(links.size());
     std::string dot;
-    Result<nodes::Graph> added = nodes::addDot(graph, links.front().link, dvec2(middle), &dot);
+    Result<nodes::Graph> added = nodes::addDot(graph, links.front().link, dotPlace(middle), &dot);
     if (!added) return editor.messages.hint(added.error().message);
     graph = std::move(*added);
     const std::string out = nodes::outputsOf(graph, dot).front().id;
@@ -178,7 +181,8 @@ void finishStroke(Editor& editor, const CanvasView& view, const Layout& layout,
 
 void putDot(Editor& editor, const nodes::Link& link, dvec2 at) {
   std::string dot;
-  if (!tryEdit(editor, nodes::addDot(editor.document.graph(), link, at, &dot), "Add dot")) return;
+  if (!tryEdit(editor, nodes::addDot(editor.document.graph(), link, dotPlace(vec2(at)), &dot), "Add dot"))
+    return;
   editor.canvas.selectedLink.reset();
   editor.document.select({dot});
 }

@@ -23,17 +23,18 @@ Document::Document(Graph graph, std::filesystem::path path) : path_(std::move(pa
   steps_.push_back({std::move(graph), "", {}, {}, {}, 0});
 }
 
-void Document::edit(Graph graph, std::string label, std::string_view mergeKey) {
+bool Document::edit(Graph graph, std::string label, std::string_view mergeKey) {
   if (scope_.empty()) return editRoot(std::move(graph), std::move(label), mergeKey);
   Settings settings = std::exchange(graph.settings, {});
   auto root = withGraphAt(this->root(), scope_, std::move(graph));
-  if (!root) return;  // never: the scope exists
+  if (!root) return false;  // never: the scope exists
   root->settings = std::move(settings);
-  editRoot(std::move(*root), std::move(label), mergeKey);
+  return editRoot(std::move(*root), std::move(label), mergeKey);
 }
 
-void Document::editRoot(Graph graph, std::string label, std::string_view mergeKey) {
-  if (graph == root()) return;
+bool Document::editRoot(Graph graph, std::string label, std::string_view mergeKey) {
+  if (graph == root()) return true;
+  if (groupDepth(graph) > kDeepestGroup) return false;
   const bool merges = !mergeKey.empty() && mergeKey == mergeKey_ && at_ > 0 && steps_[at_].scope == scope_;
   while (steps_.size() > at_ + 1) {
     bytes_ -= steps_.back().bytes;
@@ -58,6 +59,7 @@ void Document::editRoot(Graph graph, std::string label, std::string_view mergeKe
   ++revision_;
   forgetOld();
   changed();
+  return true;
 }
 
 void Document::forgetOld() {

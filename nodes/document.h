@@ -34,9 +34,10 @@ class Document {
 
   /// A new step: `graph` takes the place of graph() (settings are the document's in every scope). Steps with the same non-empty mergeKey
   /// in a row become one (a drag); endMerge() closes it. A graph equal to the current one is no step.
-  void edit(Graph graph, std::string label, std::string_view mergeKey = {});
+  /// False, and nothing is changed, where groups would be nested deeper than kDeepestGroup (graph_groups.h).
+  bool edit(Graph graph, std::string label, std::string_view mergeKey = {});
   /// The same for the whole, whatever the scope.
-  void editRoot(Graph root, std::string label, std::string_view mergeKey = {});
+  bool editRoot(Graph root, std::string label, std::string_view mergeKey = {});
   void endMerge() { mergeKey_.clear(); }
 
   bool canUndo() const { return at_ > 0; }

@@ -1,6 +1,9 @@
 // Graph files as a whole: versions, faults between nodes, paths relative to the file.
 #include "nodes/serialize.h"
 
+#include "nodes/graph_change.h"
+#include "nodes/graph_groups.h"
+#include "nodes/graph_sockets.h"
 #include "nodes/migrations.h"
 #include "nodes/serialize_json.h"
 #include "renderer/base/file.h"
@@ -11,10 +14,6 @@ namespace pileus::nodes {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t(64) << 20;
-
-std::string linkText(const Link& link) {
-  return link.fromNode + "." + link.fromSocket + " -> " + link.toNode + "." + link.toSocket;
-}
 
 fs::path absolutePath(const fs::path& path) {
   std::error_code ignored;
@@ -29,14 +28,15 @@ std::string relativeTo(const fs::path& path, const fs::path& folder) {
   return shared > 1 ? path.lexically_relative(folder).generic_string() : path.generic_string();
 }
 
-/// The same graph with every file parameter as it stands in a file in `to`, when relative ones start in
-/// `from`.
+}  // namespace
+
 Graph withRelativePaths(const Graph& graph, const fs::path& from, const fs::path& to) {
   Graph result = graph;
   for (auto& [name, node] : result.nodes) {
     const NodeType* type = findNodeType(node->type);
     if (!type) continue;
     Node changed = *node;
+    if (node->group) changed.group = std::make_shared<const Graph>(withRelativePaths(*node->group, from, to));
     for (const ParamSpec& spec : type->params) {
       const auto it = changed.params.find(spec.id);
       if (spec.type != ParamType::File || it == changed.params.end()) continue;
@@ -44,41 +44,44 @@ Graph withRelativePaths(const Graph& graph, const fs::path& from, const fs::path
       if (!text || text->empty() || (from == to && fs::path(*text).is_relative())) continue;
       *text = relativeTo((from / *text).lexically_normal(), to);
     }
-    if (changed != *node) node = std::make_shared<const Node>(std::move(changed));
+    if (!(changed == *node)) node = std::make_shared<const Node>(std::move(changed));
   }
   return result;
 }
 
-}  // namespace
-
-void checkLinks(const Graph& graph, std::vector<Fault>& faults) {
+void checkLinks(const Graph& graph, std::vector<Fault>& faults, const std::string& prefix) {
   std::map<std::pair<std::string, std::string>, std::string> taken;
+  const SocketTable table(graph);
+  const auto error = [&](const std::string& where, std::string text) {
+    faults.push_back({true, prefix + where, std::move(text)});
+  };
   for (const Link& link : graph.links) {
-    const NodeType* from = findNodeType(findNode(graph, link.fromNode)->type);
-    const NodeType* to = findNodeType(findNode(graph, link.toNode)->type);
-    const int out = from ? from->outputIndex(link.fromSocket) : -1,
-              in = to ? to->inputIndex(link.toSocket) : -1;
-    if (from && out < 0)
-      faults.push_back({true, link.fromNode + "." + link.fromSocket,
-                        "there is no such output, in link " + linkText(link)});
-    if (to && in < 0)
-      faults.push_back(
-          {true, link.toNode + "." + link.toSocket, "there is no such input, in link " + linkText(link)});
-    if (in < 0) continue;
-    const SocketSpec& input = to->inputs[static_cast<std::size_t>(in)];
+    const bool knowsFrom = findNodeType(findNode(graph, link.fromNode)->type),
+               knowsTo = findNodeType(findNode(graph, link.toNode)->type);
+    const auto out = table.output(link.fromNode, link.fromSocket),
+               in = table.input(link.toNode, link.toSocket);
+    if (knowsFrom && !out)
+      error(link.fromNode + "." + link.fromSocket, "there is no such output, in link " + linkText(link));
+    if (knowsTo && !in)
+      error(link.toNode + "." + link.toSocket, "there is no such input, in link " + linkText(link));
+    if (!in || !knowsTo) continue;
     const std::string where = link.toNode + "." + link.toSocket;
-    if (out >= 0 && !convertible(from->outputs[static_cast<std::size_t>(out)].type, input.type))
-      faults.push_back(
-          {true, where,
-           fmt::format("takes {}, but {}.{} gives {}", enumId(input.type), link.fromNode, link.fromSocket,
-                       enumId(from->outputs[static_cast<std::size_t>(out)].type))});
-    if (input.many) continue;
+    if (knowsFrom && out && !out->any && !in->any && !convertible(out->type, in->type))
+      error(where, fmt::format("takes {}, but {}.{} gives {}", enumId(in->type), link.fromNode,
+                               link.fromSocket, enumId(out->type)));
+    if (in->many) continue;
     const auto [it, first] = taken.try_emplace({link.toNode, link.toSocket}, linkText(link));
-    if (!first)
-      faults.push_back({true, where, "takes one link, but has " + it->second + " and " + linkText(link)});
+    if (!first) error(where, "takes one link, but has " + it->second + " and " + linkText(link));
   }
-  if (const auto order = evaluationOrder(graph); !order)
-    faults.push_back({true, "links", order.error().message});
+  if (const auto order = evaluationOrder(graph); !order) error("links", order.error().message);
+  const std::size_t depth = static_cast<std::size_t>(std::count(prefix.begin(), prefix.end(), '/'));
+  for (const auto& [name, node] : graph.nodes) {
+    if (!node->group) continue;
+    if (depth >= kDeepestGroup)
+      error(name, fmt::format("groups are nested deeper than {}", kDeepestGroup));
+    else
+      checkLinks(*node->group, faults, prefix + name + "/");
+  }
 }
 
 Result<Loaded> parseGraph(std::string_view text) {
@@ -96,7 +99,7 @@ Result<Loaded> parseGraph(std::string_view text) {
                 version->dump(), kFormatVersion);
   migrate(json, version->get<int>(), migrations());
   loaded.graph = graphFromJson(json, loaded.faults);
-  checkLinks(loaded.graph, loaded.faults);
+  checkLinks(loaded.graph, loaded.faults, "");
   return loaded;
 }
 
@@ -107,10 +110,13 @@ Result<Loaded> loadGraph(const fs::path& path) {
   return loaded;
 }
 
-Result<void> saveGraph(const fs::path& path, const Graph& graph, const fs::path& folder) {
+std::string graphTextFor(const fs::path& path, const Graph& graph, const fs::path& folder) {
   const fs::path to = absolutePath(path).parent_path();
-  return writeFileAtomic(path,
-                         graphText(withRelativePaths(graph, folder.empty() ? to : absolutePath(folder), to)));
+  return graphText(withRelativePaths(graph, folder.empty() ? to : absolutePath(folder), to));
+}
+
+Result<void> saveGraph(const fs::path& path, const Graph& graph, const fs::path& folder) {
+  return writeFileAtomic(path, graphTextFor(path, graph, folder));
 }
 
 std::string faultText(const Fault& fault) {

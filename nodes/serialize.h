@@ -33,6 +33,11 @@ std::string graphText(const Graph& graph);
 /// Atomic. File parameters are written relative to `path`'s folder, absolute where they share no more than the root with it; in memory
 /// they stay as typed. Relative ones in memory start in `folder` (the document's before a "save as"; default: `path`'s).
 Result<void> saveGraph(const std::filesystem::path& path, const Graph& graph, const std::filesystem::path& folder = {});
+/// The text that saveGraph writes: also for files that carry a graph beside other things.
+std::string graphTextFor(const std::filesystem::path& path, const Graph& graph, const std::filesystem::path& folder = {});
+
+/// The graph with file parameters that start in `from` written as seen from `to` (absolute paths where they share the root only).
+Graph withRelativePaths(const Graph& graph, const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// A part of a graph as text for the clipboard, and back with free names; `at` is where its centre goes.
 std::string copyText(const Graph& graph, const std::set<std::string>& names);

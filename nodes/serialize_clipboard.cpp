@@ -1,4 +1,6 @@
 // Parts of a graph as text: copy and paste across files.
+#include "nodes/graph_change.h"
+#include "nodes/graph_sockets.h"
 #include "nodes/serialize_json.h"
 
 namespace pileus::nodes {
@@ -36,6 +38,14 @@ Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std
   for (Link link : part.links) {
     link.fromNode = names[link.fromNode];
     link.toNode = names[link.toNode];
+    // What a damaged text links wrongly is left out; between unknown types anything may be right.
+    const SocketTable table(result);
+    const auto input = table.input(link.toNode, link.toSocket);
+    const bool known = findNodeType(findNode(result, link.fromNode)->type) &&
+                       findNodeType(findNode(result, link.toNode)->type);
+    const auto taken = [&](const Link& l) { return sameInput(l, link); };
+    if (known && (!input || table.refusal(link))) continue;
+    if (input && !input->many && std::any_of(result.links.begin(), result.links.end(), taken)) continue;
     result.links.push_back(std::move(link));
   }
   return result;

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "nodes/graph_change.h"
+#include "nodes/graph_sockets.h"
 #include "nodes/serialize_json.h"
 
 namespace pileus::nodes {
@@ -9,15 +11,17 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(std::vector<Fault>& faults) : faults_(&faults) {}
+  /// `prefix`: the path of the group that is read ("Group/"), "" for the whole.
+  explicit Reader(std::vector<Fault>& faults, std::string prefix = {})
+      : faults_(&faults), prefix_(std::move(prefix)) {}
   Graph read(const Json& json);
 
  private:
-  void error(std::string where, std::string text) {
-    faults_->push_back({true, std::move(where), std::move(text)});
+  void error(const std::string& where, std::string text) {
+    faults_->push_back({true, prefix_ + where, std::move(text)});
   }
-  void warning(std::string where, std::string text) {
-    faults_->push_back({false, std::move(where), std::move(text)});
+  void warning(const std::string& where, std::string text) {
+    faults_->push_back({false, prefix_ + where, std::move(text)});
   }
   void settings(const Json& json, Settings& out);
   std::optional<Node> node(const std::string& name, const Json& json);
@@ -25,9 +29,12 @@ class Reader {
   void param(const std::string& where, const Json& json, const ParamSpec& spec, Node& out);
   std::optional<Animation> animation(const std::string& where, const Json& json, const ParamSpec& spec);
   void links(const Json& json, const std::string& list, bool muted, Graph& graph);
+  void frames(const Json& json, Graph& graph);
+  std::optional<Frame> frame(const std::string& where, const Json& json);
   bool text(const Json& json, const std::string& where, std::string& out);
 
   std::vector<Fault>* faults_;
+  std::string prefix_;
 };
 
 std::string shortened(const Json& json) {
@@ -189,9 +196,11 @@ std::optional<Node> Reader::node(const std::string& name, const Json& json) {
         error(where, shortened(value) + " is not two numbers");
     } else if (key == "params") {
       params(name, value, type, result);
-    } else if (key == "bypass") {
+    } else if (key == "graph" && result.type == "group" && value.is_object()) {
+      result.group = std::make_shared<const Graph>(Reader(*faults_, prefix_ + name + "/").read(value));
+    } else if (key == "bypass" || key == "disabled") {
       if (value.is_boolean())
-        result.bypass = value.get<bool>();
+        (key == "bypass" ? result.bypass : result.disabled) = value.get<bool>();
       else
         error(where, shortened(value) + " is not true or false");
     } else if (key == "color") {
@@ -207,9 +216,13 @@ std::optional<Node> Reader::node(const std::string& name, const Json& json) {
           if (text(item, where, id)) result.expose.push_back(id);
     } else {
       result.unknown[key] = value.dump();
-      if (type) warning(where, "unknown member; kept as it is");
+      if (key == "graph" && result.type == "group")
+        error(where, "is not an object");
+      else if (type)
+        warning(where, "unknown member; kept as it is");
     }
   }
+  if (result.type == "group" && !json.contains("graph")) error(name + ".graph", "is missing");
   return result;
 }
 
@@ -249,13 +262,60 @@ void Reader::links(const Json& json, const std::string& list, bool muted, Graph&
       continue;
     }
     link->muted = muted;
+    // A link to a parameter makes it a socket.
+    const Node& to = *findNode(graph, link->toNode);
+    const NodeType* type = findNodeType(to.type);
+    const ParamSpec* spec =
+        type && type->inputIndex(link->toSocket) < 0 ? type->param(link->toSocket) : nullptr;
+    if (spec && !isSocket(to, *spec)) expose(graph, link->toNode, link->toSocket);
     graph.links.push_back(std::move(*link));
   }
 }
 
+std::optional<Frame> Reader::frame(const std::string& where, const Json& json) {
+  if (!json.is_object()) return error(where, shortened(json) + " is not an object"), std::nullopt;
+  Frame result;
+  bool good = true;
+  for (const auto& [key, value] : json.items()) {
+    const std::string member = where + "." + key;
+    if (key == "title" || key == "color") {
+      good = text(value, member, key == "title" ? result.title : result.color) && good;
+    } else if (key == "at" || key == "size") {
+      if (isPair(value))
+        (key == "at" ? result.at : result.size) = {value[0].get<double>(), value[1].get<double>()};
+      else
+        error(member, shortened(value) + " is not two numbers"), good = false;
+    } else {
+      result.unknown[key] = value.dump();
+      warning(member, "unknown member; kept as it is");
+    }
+  }
+  if (good && (result.size.x < 0 || result.size.y < 0)) error(where + ".size", "is below zero"), good = false;
+  return good ? std::optional(std::move(result)) : std::nullopt;
+}
+
+/// All of them, or the member is kept as it is.
+void Reader::frames(const Json& json, Graph& graph) {
+  std::vector<Frame> list;
+  bool good = json.is_array() && !json.empty();
+  if (!json.is_array()) error("frames", "is not a list");
+  for (std::size_t i = 0; json.is_array() && i < json.size(); ++i) {
+    auto read = frame(fmt::format("frames[{}]", i), json[i]);
+    if (read)
+      list.push_back(std::move(*read));
+    else
+      good = false;
+  }
+  if (good)
+    graph.frames = std::move(list);
+  else
+    graph.unknown["frames"] = json.dump();
+}
+
 Graph Reader::read(const Json& json) {
   Graph graph;
-  if (const auto it = json.find("settings"); it != json.end()) settings(*it, graph.settings);
+  const bool whole = prefix_.empty();
+  if (const auto it = json.find("settings"); whole && it != json.end()) settings(*it, graph.settings);
   if (const auto it = json.find("nodes"); it == json.end()) {
     warning("nodes", "is missing");
   } else if (!it->is_object()) {
@@ -268,9 +328,14 @@ Graph Reader::read(const Json& json) {
   if (const auto it = json.find("links"); it != json.end()) links(*it, "links", false, graph);
   if (const auto it = json.find("muted"); it != json.end()) links(*it, "muted", true, graph);
   for (const auto& [key, value] : json.items()) {
-    if (key == "pileus" || key == "settings" || key == "nodes" || key == "links" || key == "muted") continue;
+    if (key == "nodes" || key == "links" || key == "muted") continue;
+    if (whole && (key == "pileus" || key == "settings")) continue;
+    if (key == "frames") {
+      frames(value, graph);
+      continue;
+    }
     graph.unknown[key] = value.dump();
-    if (key != "frames" && key != "notes") warning(key, "unknown member; kept as it is");
+    if (key != "notes") warning(key, "unknown member; kept as it is");
   }
   return graph;
 }

@@ -35,13 +35,17 @@ void restoreUnknown(Json& object, const std::string& name, const std::string& te
   if (!value.is_discarded()) object[name] = std::move(value);
 }
 
+Json contentJson(const Graph& graph);
+
 Json nodeJson(const Node& node) {
   Json json = {{"type", node.type}, {"at", Json::array({numberJson(node.at.x), numberJson(node.at.y)})}};
   Json params = Json::object();
   for (const auto& [id, animation] : node.animated) params[id] = animationJson(animation);
   for (const auto& [id, value] : node.params)
     if (!params.contains(id)) params[id] = paramJson(value);
+  if (node.group) json["graph"] = contentJson(*node.group);
   if (node.bypass) json["bypass"] = true;
+  if (node.disabled) json["disabled"] = true;
   if (!node.color.empty()) json["color"] = node.color;
   if (!node.label.empty()) json["label"] = node.label;
   if (!node.expose.empty()) json["expose"] = node.expose;
@@ -66,19 +70,35 @@ Json settingsJson(const Settings& settings) {
   return json;
 }
 
-}  // namespace
+Json frameJson(const Frame& frame) {
+  Json json = {{"at", Json::array({numberJson(frame.at.x), numberJson(frame.at.y)})},
+               {"size", Json::array({numberJson(frame.size.x), numberJson(frame.size.y)})}};
+  if (!frame.title.empty()) json["title"] = frame.title;
+  if (!frame.color.empty()) json["color"] = frame.color;
+  for (const auto& [name, text] : frame.unknown) restoreUnknown(json, name, text);
+  return json;
+}
 
-Json graphJson(const Graph& graph, bool withSettings) {
-  Json json = {{"pileus", kFormatVersion}, {"nodes", Json::object()}, {"links", Json::array()}};
+/// What the whole graph and that of a group have in common.
+Json contentJson(const Graph& graph) {
+  Json json = {{"nodes", Json::object()}, {"links", Json::array()}};
   for (const auto& [name, node] : graph.nodes) json["nodes"][name] = nodeJson(*node);
   Json muted = Json::array();
   for (const Link& link : graph.links)
     (link.muted ? muted : json["links"])
         .push_back(link.fromNode + "." + link.fromSocket + " -> " + link.toNode + "." + link.toSocket);
   if (!muted.empty()) json["muted"] = std::move(muted);
-  if (!withSettings) return json;
-  json["settings"] = settingsJson(graph.settings);
+  for (const Frame& frame : graph.frames) json["frames"].push_back(frameJson(frame));
   for (const auto& [name, text] : graph.unknown) restoreUnknown(json, name, text);
+  return json;
+}
+
+}  // namespace
+
+Json graphJson(const Graph& graph, bool withSettings) {
+  Json json = contentJson(graph);
+  json["pileus"] = kFormatVersion;
+  if (withSettings) json["settings"] = settingsJson(graph.settings);
   return json;
 }
 

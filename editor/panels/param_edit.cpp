@@ -7,7 +7,9 @@
 #include <set>
 
 #include "editor/editor.h"
-#include "editor/panels/param_model.h"
+#include "nodes/graph_animation.h"
+#include "nodes/graph_edits.h"
+#include "nodes/graph_sockets.h"
 #include "nodes/serialize.h"
 
 namespace pileus::editor {
@@ -89,7 +91,7 @@ ParamState paramState(const Editor& editor, const ParamTarget& target) {
     state.keyHere |= hasKeyAt(*node, id, editor.frame);
     state.faulty |= node->unknown.contains("params/" + id);
     state.modified |= node->params.contains(id) || state.animated || state.faulty;
-    state.exposed |= std::find(node->expose.begin(), node->expose.end(), id) != node->expose.end();
+    state.exposed |= nodes::isSocket(*node, *target.spec);
   }
   findSource(graph, target, state);
   return state;
@@ -99,7 +101,7 @@ void changeParam(Editor& editor, const ParamTarget& target, const ParamChange& c
   if (dragging) remember(editor, target);
   Result<Graph> graph = onEach(editor, target.nodes, [&](const Graph& g, const std::string& name) {
     const ParamValue value = change(nodes::paramValue(*nodes::findNode(g, name), *target.spec, editor.frame));
-    return model::setParamAt(g, name, *target.spec, value, editor.frame);
+    return nodes::setParamAt(g, name, target.spec->id, value, editor.frame);
   });
   tryEdit(editor, std::move(graph), "Set " + target.title(), dragging ? mergeKey(target) : "");
   if (dragging) editor.preview.touch();
@@ -136,7 +138,9 @@ void resetNodes(Editor& editor, const std::vector<std::string>& names) {
   if (names.empty()) return;
   tryEdit(editor,
           onEach(editor, names,
-                 [&](const Graph& g, const std::string& name) { return model::resetParams(g, name); }),
+                 [&](const Graph& g, const std::string& name) {
+                   return Result<Graph>(nodes::resetParams(g, name));
+                 }),
           names.size() == 1 ? "Reset " + names.front() : fmt::format("Reset {} nodes", names.size()));
 }
 
@@ -147,10 +151,10 @@ void toggleKey(Editor& editor, const ParamTarget& target) {
         const nodes::Node& node = *nodes::findNode(g, name);
         if (remove)
           return hasKeyAt(node, target.spec->id, editor.frame)
-                     ? model::removeKey(g, name, *target.spec, editor.frame)
+                     ? Result<Graph>(nodes::removeKey(g, name, target.spec->id, editor.frame))
                      : Result<Graph>(g);
         const ParamValue value = nodes::paramValue(node, *target.spec, editor.frame);
-        return model::setKey(g, name, *target.spec, value, editor.frame);
+        return nodes::setKey(g, name, target.spec->id, editor.frame, value);
       });
   if (tryEdit(
           editor, std::move(graph),
@@ -163,19 +167,19 @@ void clearAnimation(Editor& editor, const ParamTarget& target) {
   tryEdit(editor,
           onEach(editor, target.nodes,
                  [&](const Graph& g, const std::string& name) {
-                   return model::clearAnimation(g, name, *target.spec, editor.frame);
+                   return Result<Graph>(nodes::clearAnimation(g, name, target.spec->id, editor.frame));
                  }),
           "Remove animation of " + target.title());
 }
 
-bool canExpose(const ParamSpec& spec) { return model::canExpose(spec); }
+bool canExpose(const ParamSpec& spec) { return !spec.socket; }
 
 void toggleExposed(Editor& editor, const ParamTarget& target) {
   const bool on = !paramState(editor, target).exposed;
   tryEdit(editor,
           onEach(editor, target.nodes,
                  [&](const Graph& g, const std::string& name) {
-                   return model::exposeParam(g, name, *target.spec, on);
+                   return nodes::exposeParam(g, name, target.spec->id, on);
                  }),
           (on ? "Expose " : "Do not expose ") + target.title());
 }

@@ -11,6 +11,7 @@
 #include "editor/panels/param_help.h"
 #include "editor/panels/param_widgets.h"
 #include "editor/widgets.h"
+#include "nodes/graph_sockets.h"
 
 namespace pileus::editor {
 namespace {
@@ -29,28 +30,21 @@ void drawDiamond(ImVec2 c, float r, ImU32 color, bool filled, float line) {
     draw->AddPolyline(p, 4, color, ImDrawFlags_Closed, line);
 }
 
-nodes::SocketType socketTypeOf(const ParamSpec& spec) {
-  using S = nodes::SocketType;
-  return spec.type == ParamType::Vector  ? S::Vector
-         : spec.type == ParamType::Color ? S::Color
-         : spec.type == ParamType::Text  ? S::Text
-                                         : S::Number;
-}
-
 /// The ring at the left: an input of the node, or a wish for one.
 void socketMark(Editor& editor, const ParamTarget& target, const ParamState& state, const RowFrame& f,
                 bool lit) {
-  if (!canExpose(*target.spec)) return;
+  if (!canExpose(*target.spec) && !state.exposed) return;
   const Theme& theme = editor.theme;
   ImGui::SetCursorScreenPos(f.at);
-  if (ImGui::InvisibleButton("socket", {theme.px(kSocket), f.height})) toggleExposed(editor, target);
+  if (ImGui::InvisibleButton("socket", {theme.px(kSocket), f.height}) && canExpose(*target.spec))
+    toggleExposed(editor, target);
   editor.trace.item("expose/" + target.spec->id);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered)
     tooltip(theme,
             state.exposed ? "An input of the node; click to take it back" : "Expose as input of the node");
   const ImVec2 c = {f.at.x + theme.px(5), std::round(f.at.y + 0.5f * f.height)};
-  const ImU32 color = socketColor(socketTypeOf(*target.spec));
+  const ImU32 color = socketColor(nodes::socketType(target.spec->type));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (state.exposed)
     draw->AddCircleFilled(c, theme.px(hovered ? 4.5f : 4), color);
@@ -94,7 +88,8 @@ void keyMark(Editor& editor, const ParamTarget& target, const ParamState& state,
 }
 
 std::string liveValue(const Editor& editor, const ParamTarget& target) {
-  const nodes::SocketValue* value = editor.preview.evaluator().input(target.nodes.front(), target.spec->id);
+  const nodes::SocketValue* value =
+      editor.preview.evaluator().input(editor.document.scopedName(target.nodes.front()), target.spec->id);
   if (!value) return {};
   const bool whole = target.spec->type == ParamType::Int;
   if (const double* v = std::get_if<double>(value)) return numberText(*v, whole);

@@ -158,7 +158,7 @@ void drawHeader(Editor& editor, const Names& names, const nodes::Node& node, con
 }
 
 void drawStatus(Editor& editor, const std::string& name) {
-  const nodes::NodeStatus& status = editor.preview.evaluator().status(name);
+  const nodes::NodeStatus& status = editor.preview.evaluator().status(editor.document.scopedName(name));
   const Theme& theme = editor.theme;
   using State = nodes::NodeState;
   const bool notes = !status.notes.empty() && status.state != State::Idle;

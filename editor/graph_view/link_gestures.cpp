@@ -29,11 +29,11 @@ nodes::Graph graphForDrag(const Editor& editor, const LinkDrag& drag) {
 /// Does the link under way look for an input?
 bool wantsInput(const LinkDrag& drag) { return drag.fromOutput && drag.moves.empty(); }
 
-std::optional<std::string> refusal(const nodes::Graph& graph, const LinkDrag& drag, const std::string& node,
-                                   const std::string& socket) {
-  if (drag.moves.empty()) return nodes::linkRefusal(graph, linkBetween(drag, node, socket));
+std::optional<std::string> refusal(const nodes::SocketTable& table, const LinkDrag& drag,
+                                   const std::string& node, const std::string& socket) {
+  if (drag.moves.empty()) return table.refusal(linkBetween(drag, node, socket));
   for (const nodes::Link& link : drag.moves)
-    if (auto reason = nodes::linkRefusal(graph, {node, socket, link.toNode, link.toSocket})) return reason;
+    if (auto reason = table.refusal({node, socket, link.toNode, link.toSocket})) return reason;
   return std::nullopt;
 }
 
@@ -99,6 +99,7 @@ void startLink(Editor& editor, const Layout& layout, const LinkDrag& drag) {
   canvas.refusals.clear();
   canvas.selectedLink.reset();
   const nodes::Graph graph = graphForDrag(editor, drag);
+  const nodes::SocketTable table(graph);
   const bool input = wantsInput(drag);
   for (const NodePlace& node : layout.nodes)
     for (const SocketPlace& s : node.sockets) {
@@ -108,7 +109,7 @@ void startLink(Editor& editor, const Layout& layout, const LinkDrag& drag) {
       if (s.input != input)
         canvas.refusals[key] = input ? "Both ends are outputs: a link ends at an input."
                                      : "Both ends are inputs: a link begins at an output.";
-      else if (auto reason = refusal(graph, drag, node.name, s.id))
+      else if (auto reason = refusal(table, drag, node.name, s.id))
         canvas.refusals[key] = *reason;
     }
 }

@@ -107,12 +107,11 @@ struct Line {
 bool drawLine(Editor& editor, Line& line, ColorEdit& edit, std::optional<double>* kelvin = nullptr) {
   const Theme& theme = editor.theme;
   const float label = theme.px(74);
-  const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
   ImGui::TextUnformatted(line.label);
   ImGui::PopStyleColor();
-  ImGui::SameLine(left + label);
+  ImGui::SameLine(label, 0);
   const NumberEdit n =
       numberField(editor.parameters.numbers, theme, line.id, line.value, line.field, theme.px(120));
   editor.trace.item(std::string("picker/") + line.id);

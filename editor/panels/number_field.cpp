@@ -85,6 +85,7 @@ NumberEdit typeField(NumberFieldState& state, const Theme& theme, double& value,
     edit.cancelled = state.live;
     edit.finished = true;
     state.refusal.clear();
+    state.wasRefused = false;
     state.typing = 0;
   } else if (enter || left) {
     endTyping(state, edit, value, f, enter);

@@ -197,7 +197,11 @@ void beginRows(Editor& editor, const std::string& of) {
 
 void drawRows(Editor& editor, const Names& names, const nodes::NodeType& type) {
   const float top = ImGui::GetCursorPosY();
-  for (const nodes::ParamSpec& spec : type.params) drawParamRow(editor, {names, &spec});
+  ParamTarget target{names, nullptr};
+  for (const nodes::ParamSpec& spec : type.params) {
+    target.spec = &spec;
+    drawParamRow(editor, target);
+  }
   if (!editor.parameters.onlyModified || ImGui::GetCursorPosY() > top) return;
   wrapped(palette::kTextDim, "", "Nothing is modified.");
   if (ImGui::Button("Show all parameters")) editor.parameters.onlyModified = false;
@@ -270,7 +274,7 @@ Names shownNodes(const Editor& editor) {
 }
 
 double helpDueIn(const Parameters& panel) {
-  if (!panel.hovered || panel.rest.long_) return 0;
+  if (!panel.under || panel.rest.long_) return 0;
   const double age = ImGui::GetTime() - panel.rest.since;
   return std::max(0.02, (age < kShortRest ? kShortRest : kLongRest) - age + 0.01);
 }
@@ -293,6 +297,7 @@ void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
   panel.hovered.reset();
   panel.litParam = std::exchange(panel.nextLit, {});
   if (!panel.pinned.empty() && !editor.document.graph().nodes.contains(panel.pinned)) panel.pinned.clear();
+  panel.under = ImGui::IsMouseHoveringRect(min, max, false);
   updateRest(panel.rest);
   updateDisplayColors(editor);
   const ImVec2 pad = {theme.space(3), theme.space(3)};

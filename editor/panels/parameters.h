@@ -44,6 +44,7 @@ struct Parameters {
   std::string scrollOf;                  ///< node whose rows were drawn last
   ImVec2 min{0, 0};                      ///< of the panel
   PointerRest rest;
+  bool under = false;  ///< the pointer is over the panel
   DragMemory drag;
   std::optional<nodes::Settings> settingsBefore;  ///< when a drag of a setting began
   DisplayColors colors;

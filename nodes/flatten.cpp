@@ -74,7 +74,7 @@ class Flattener {
     if (outputs.empty()) return;
     const SocketInfo& output = outputs.front();
     const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const SocketInfo& s) {
-      return s.any || output.any || s.type == output.type;
+      return s.any == output.any && (s.any || s.type == output.type);
     });
     if (input != inputs.end())
       out.graph.links.push_back({prefix + input->id, "out", prefix + output.id, "in", false});

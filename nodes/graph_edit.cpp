@@ -32,7 +32,7 @@ Graph bridged(const Graph& graph, const std::string& name) {
       for (const Link* in : table.into(name)) {
         if (in->toSocket != input->id || in->muted || (taken && !(target && target->many))) continue;
         const Link joined{in->fromNode, in->fromSocket, out->toNode, out->toSocket, false};
-        if (hasLink(result, joined)) continue;
+        if (hasLink(result, joined) || table.refusal(joined)) continue;
         links.push_back(joined);
         taken = true;
       }

@@ -162,11 +162,14 @@ Result<Graph> ungroup(const Graph& graph, const std::string& group, std::set<std
   };
   Graph done = result;
   done.links.clear();
+  std::vector<Link> joined;  // from parts inside and outside, which need not fit
   const auto add = [&](std::optional<Link> from, const std::string& toNode, const std::string& toSocket,
                        bool muted) {
     if (!from) return;
     const Link link{from->fromNode, from->fromSocket, toNode, toSocket, from->muted || muted};
-    if (link.fromNode != group && !hasLink(done, link)) done.links.push_back(link);
+    if (link.fromNode == group || hasLink(done, link)) return;
+    done.links.push_back(link);
+    joined.push_back(link);
   };
   for (const Link& link : graph.links) {
     if (link.toNode == group) continue;
@@ -180,6 +183,15 @@ Result<Graph> ungroup(const Graph& graph, const std::string& group, std::set<std
   for (const Link& link : inner.links)
     if (const auto to = renamed.find(link.toNode); to != renamed.end())
       add(source(link), to->second, link.toSocket, false);
+  for (const Link& link : joined) {
+    const Graph without = disconnect(done, link);
+    const auto& types = {link.fromNode, link.toNode};
+    const bool known = std::all_of(types.begin(), types.end(), [&](const std::string& name) {
+      const Node* end = findNode(done, name);
+      return end && findNodeType(end->type);
+    });
+    if (known && linkRefusal(without, link)) done = without;
+  }
   return done;
 }
 

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 namespace pileus::editor::crash {
 namespace {
 
-constexpr std::size_t kEvents = 200, kLength = 96, kFact = 501;
+constexpr unsigned kEvents = 200;
+constexpr std::size_t kLength = 96, kFact = 501;
 constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 // Everything the handler reads is plain memory that exists from the start: it may neither allocate nor lock.

@@ -1,6 +1,8 @@
 #pragma once
 // OpenEXR stills. Any thread.
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "renderer/base/enum_info.h"
 #include "renderer/image/image.h"
@@ -42,5 +44,10 @@ Result<void> writeExr(const std::filesystem::path& path, const Image& image, con
 /// Without chromaticities in the file they are Rec. 709's, as the format has it. Values are as stored, NaNs
 /// included. Error (Input) on damaged, deep, sub-sampled or absurdly large files, never a crash.
 Result<Image> readExr(const std::filesystem::path& path);
+/// The text attributes of a file's header; its pixels are not read. Errors as readExr.
+Result<std::map<std::string, std::string>> readExrMetadata(const std::filesystem::path& path);
+
+/// Attribute of a still that holds the graph it was rendered from, as a graph file.
+inline constexpr char kGraphAttribute[] = "pileus:graphText";
 
 }  // namespace pileus::image

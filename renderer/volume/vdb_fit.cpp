@@ -59,12 +59,16 @@ Result<VdbFit> fitVdb(const fs::path& path, JobControl& control) {
     for (const std::string& note : out.guess.notes) all += (all.empty() ? "" : "; ") + note;
     return fail(Code::Input, "{}: {}{}", path.string(), out.guess.why, all.empty() ? "" : " (" + all + ")");
   }
-  PILEUS_TRY(ImportedGrid imported, importVdb(path, out.guess.grid, control));
+  out.byDefault =
+      info.chosen >= 0 && info.grids[static_cast<std::size_t>(info.chosen)].name == out.guess.grid;
+  PILEUS_TRY(ImportedGrid imported, importVdb(path, out.byDefault ? "" : out.guess.grid, control));
   out.warnings = std::move(imported.warnings);
   out.frames = framesBeside(path);
   if (imported.grid->empty()) return out;
   out.fit = autofit(*imported.grid);
   out.voxelSize = imported.grid->voxelSize;
+  const dvec3 extent = imported.grid->indexBounds.size();
+  out.longest = std::max({extent.x, extent.y, extent.z});
   Instance instance;
   instance.shape = Shape::Grid;
   instance.grid = imported.grid;

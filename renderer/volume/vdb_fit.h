@@ -20,8 +20,10 @@ FileFrames framesBeside(const std::filesystem::path& path);
 struct VdbFit {
   std::filesystem::path file;
   GridGuess guess;
+  bool byDefault = true;  ///< an import without a grid's name would take the same one
   Autofit fit;
   double voxelSize = 1;  ///< metres
+  double longest = 1;    ///< voxels along the longest axis
   Box3 bounds;           ///< world; empty: there is nothing to see
   FileFrames frames;
   std::vector<std::string> warnings;

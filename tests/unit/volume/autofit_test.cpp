@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "renderer/volume/brick_builder.h"
+#include "renderer/volume/vdb_fit.h"
+#include "tests/support/support.h"
 
 namespace pileus::volume {
 namespace {
@@ -36,6 +40,89 @@ TEST(Autofit, GivesTheWantedDepthThroughAUniformBall) {
 TEST(Autofit, EmptyGridsGiveOne) {
   EXPECT_EQ(autofit(*emptyGrid("none")).extinction, 1);
   EXPECT_EQ(autofit(*emptyGrid("none")).opticalDepth, 0);
+}
+
+GridInfo grid(const std::string& name, const std::string& gridClass, const std::string& type = "float") {
+  GridInfo g;
+  g.name = name;
+  g.gridClass = gridClass;
+  g.valueType = type;
+  g.scalar = g.drawable = type != "vec3s" && gridClass != "level set";
+  if (!g.drawable) g.reason = "is not drawn";
+  return g;
+}
+
+TEST(GridGuess, NamesBeforeClassesBeforeAnything) {
+  const std::vector<GridInfo> usual = {grid("heat", "unknown"), grid("Density", "fog volume"),
+                                       grid("v", "staggered", "vec3s"), grid("noise", "fog volume")};
+  GridGuess g = guessGrid(usual);
+  EXPECT_EQ(g.grid, "Density");
+  EXPECT_EQ(g.confidence, Confidence::Sure);
+  ASSERT_EQ(g.notes.size(), 3u);
+  EXPECT_NE(g.notes[0].find("'heat' looks like temperature: emission is not rendered yet"),
+            std::string::npos);
+  EXPECT_NE(g.notes[1].find("velocity"), std::string::npos);
+  EXPECT_EQ(g.notes[2], "Not used: noise");
+
+  const std::vector<GridInfo> plain = {grid("temperature", "fog volume"), grid("puff", "fog volume"),
+                                       grid("mask", "unknown")};
+  g = guessGrid(plain);
+  EXPECT_EQ(g.grid, "puff") << "the first fog volume that is no heat";
+  EXPECT_NE(g.confidence, Confidence::Sure);
+
+  const std::vector<GridInfo> fire = {grid("flames", "unknown", "half"),
+                                      grid("temperature", "unknown", "half")};
+  g = guessGrid(fire);
+  EXPECT_EQ(g.grid, "flames") << "better something than nothing";
+  EXPECT_EQ(g.confidence, Confidence::Guess);
+
+  const std::vector<GridInfo> none = {grid("surface", "level set"), grid("Cd", "unknown", "vec3s")};
+  g = guessGrid(none);
+  EXPECT_TRUE(g.grid.empty());
+  EXPECT_EQ(g.notes.size(), 2u);
+  EXPECT_TRUE(guessGrid({}).grid.empty());
+}
+
+TEST(GridGuess, RolesOfNames) {
+  EXPECT_EQ(roleOfGrid("SMOKE"), GridRole::Density);
+  EXPECT_EQ(roleOfGrid("density[2]"), GridRole::Density);
+  EXPECT_EQ(roleOfGrid("vel.x"), GridRole::Velocity);
+  EXPECT_EQ(roleOfGrid("densityish"), GridRole::Unknown);
+}
+
+TEST(VdbFit, FindsFramesBesideAFile) {
+  const std::filesystem::path folder = test::scratchFolder();
+  for (const char* name : {"s_8.vdb", "s_9.vdb", "s_10.vdb", "t_1.vdb", "s_11.txt"})
+    std::ofstream(folder / name) << "x";
+  const FileFrames frames = framesBeside(folder / "s_9.vdb");
+  EXPECT_EQ(frames.count, 3);
+  EXPECT_EQ(frames.first, "s_8.vdb");
+  EXPECT_EQ(frames.last, "s_10.vdb");
+  EXPECT_EQ(framesBeside(folder / "t_1.vdb").count, 1);
+}
+
+TEST(VdbFit, FitsRealFiles) {
+  PILEUS_NEEDS_DATA();
+  JobControl control;
+  const std::filesystem::path vdb = *test::dataFolder() / "vdb";
+  const Result<VdbFit> smoke = fitVdb(vdb / "smoke1.vdb", control);
+  ASSERT_TRUE(smoke) << smoke.error().message;
+  EXPECT_EQ(smoke->guess.grid, "density");
+  EXPECT_TRUE(smoke->byDefault);
+  EXPECT_GT(smoke->fit.extinction, 0.001);
+  EXPECT_EQ(smoke->fit.opticalDepth, 6);
+  EXPECT_FALSE(smoke->bounds.empty());
+  EXPECT_NEAR(smoke->voxelSize, 0.476, 0.01);
+
+  const Result<VdbFit> heat = fitVdb(vdb / "usd_densityAndHeat.vdb", control);
+  ASSERT_TRUE(heat) << heat.error().message;
+  EXPECT_EQ(heat->guess.grid, "density");
+  ASSERT_EQ(heat->guess.notes.size(), 1u);
+  EXPECT_NE(heat->guess.notes[0].find("emission"), std::string::npos);
+
+  const Result<VdbFit> none = fitVdb(vdb / "oiio_sphereCd.vdb", control);
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("Cd"), std::string::npos) << none.error().message;
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+#pragma once
+// Four steps around the window: a frame around the place, and two sentences about it.
+
+namespace pileus::editor {
+
+struct Editor;
+
+struct Tour {
+  int step = -1;  ///< 0 to 3; below 0: not on
+  bool on() const { return step >= 0; }
+};
+
+void startTour(Editor& editor);
+/// Once a frame, after everything else.
+void drawTour(Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,176 @@
+// Two thousand random events into the real window: it must stay alive, log no error, keep its memory and
+// answer afterwards. $PILEUS_RANDOM_SEED chooses others.
+#include <random>
+
+#include "nodes/serialize.h"
+#include "tests/ui/ui_session.h"
+
+namespace pileus::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kEvents = 2000, kBatch = 20;
+
+constexpr char kGraph[] = R"({
+  "pileus": 1,
+  "settings": { "size": [96, 54] },
+  "nodes": {
+    "Ball": { "type": "volume.sphere", "at": [0, 0], "params": { "density": 3 } },
+    "Box": { "type": "volume.box", "at": [0, 130], "params": {} },
+    "Sun": { "type": "light.sun", "at": [0, 260], "params": {} },
+    "Map": { "type": "shadow.extinction", "at": [260, 130], "params": { "resolution": 64 } },
+    "Render": { "type": "render.volume", "at": [520, 0], "params": { "samples": 1 } },
+    "View": { "type": "output.view", "at": [780, 0], "params": {} }
+  },
+  "links": ["Ball.volume -> Render.volumes", "Box.volume -> Map.volumes", "Sun.light -> Map.light",
+            "Map.light -> Render.lights", "Render.image -> View.image"]
+}
+)";
+
+/// Words for xdotool, from one generator: the same seed, the same session.
+class Monkey {
+ public:
+  Monkey(unsigned seed, ivec2 screen) : random_(seed), screen_(screen) {}
+
+  std::vector<std::string> next() {
+    switch (pick(10)) {
+      case 0:
+      case 1:
+        return moveTo();
+      case 2:
+      case 3:
+        return join(moveTo(), {"click", std::to_string(1 + pick(3))});
+      case 4:
+        return join(moveTo(), {"click", "--repeat", std::to_string(1 + pick(4)), "--delay", "5",
+                               std::to_string(4 + pick(2))});
+      case 5:
+      case 6: {
+        const std::string button = std::to_string(1 + pick(3));
+        return join(join(join(moveTo(), {"mousedown", button}), moveTo()),
+                    join(moveTo(), {"mouseup", button}));
+      }
+      case 7:
+        return {"type", "--delay", "2", kTexts[pick(kTexts.size())]};
+      default:
+        return {"key", modifiers() + kKeys[pick(kKeys.size())]};
+    }
+  }
+
+ private:
+  std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+  static std::vector<std::string> join(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+  std::vector<std::string> moveTo() {
+    return {"mousemove", std::to_string(pick(std::size_t(screen_.x))),
+            std::to_string(pick(std::size_t(screen_.y)))};
+  }
+  std::string modifiers() {
+    std::string out;
+    if (pick(4) == 0) out += "ctrl+";
+    if (pick(4) == 0) out += "shift+";
+    if (pick(8) == 0) out += "alt+";
+    return out;
+  }
+  // Without q: Ctrl+Q after a discarded question is a clean end, not a finding.
+  const std::vector<std::string> kKeys = {
+      "a",     "b",    "c",      "d",     "e",      "f",      "g",     "h",           "i",
+      "j",     "k",    "l",      "m",     "n",      "o",      "p",     "r",           "s",
+      "t",     "u",    "v",      "w",     "x",      "y",      "z",     "0",           "1",
+      "2",     "5",    "9",      "Tab",   "Return", "Escape", "space", "BackSpace",   "Delete",
+      "Home",  "End",  "Prior",  "Next",  "Left",   "Right",  "Up",    "Down",        "F1",
+      "F2",    "F3",   "F5",     "F6",    "F7",     "F8",     "F11",   "bracketleft", "bracketright",
+      "minus", "plus", "period", "comma", "slash"};
+  const std::vector<std::string> kTexts = {
+      "sphere", "0.5", "1e9", "-3", "nan", "2*(3+", "\xc3\xa9\xe2\x82\xac", "a/b", "%s%n", "0"};
+  std::mt19937 random_;
+  ivec2 screen_;
+};
+
+/// KiB of resident memory.
+long residentKiB(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("VmRSS:")) return std::stol(line.substr(6));
+  return 0;
+}
+
+bool alive(pid_t process) { return ::kill(process, 0) == 0 && ::waitpid(process, nullptr, WNOHANG) == 0; }
+
+TEST(RandomInput, TwoThousandEvents) {
+  const char* chosen = std::getenv("PILEUS_RANDOM_SEED");
+  const unsigned seed = chosen ? static_cast<unsigned>(std::strtoul(chosen, nullptr, 10)) : 1;
+  const fs::path file = scratchFolder() / "scene.json";
+  std::ofstream(file) << kGraph;
+  UiSession ui({1100, 720}, {file.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.waitFor([](const json& t) { return t["complete"] == true; }, 30);
+  Monkey monkey(seed, {1100, 720});
+  std::vector<std::string> history;
+  long early = 0;
+  for (int done = 0; done < kEvents; done += kBatch) {
+    std::vector<std::string> batch;
+    for (int i = 0; i < kBatch; ++i) {
+      std::vector<std::string> event = monkey.next();
+      // "type" and "key" swallow what follows: each is a call of its own.
+      if (event[0] == "type" || event[0] == "key") {
+        if (!batch.empty()) ui.input(batch);
+        batch.clear();
+        ui.input(event);
+      } else {
+        batch.insert(batch.end(), event.begin(), event.end());
+      }
+      std::string text;
+      for (const std::string& word : event) text += word + " ";
+      history.push_back(text);
+    }
+    if (!batch.empty()) ui.input(batch);
+    if (!alive(ui.process())) {
+      std::string last;
+      for (std::size_t i = history.size() - std::min<std::size_t>(history.size(), 60); i < history.size();
+           ++i)
+        last += history[i] + "\n";
+      std::string crash;
+      std::error_code ec;
+      for (fs::directory_iterator it(ui.folder() / "state" / "pileus" / "crashes", ec), end; !ec && it != end;
+           it.increment(ec))
+        crash += textOf(it->path());
+      FAIL() << "seed " << seed << ": it ended after " << history.size() << " events, the last being\n"
+             << last << "\n"
+             << crash << "\n"
+             << ui.log();
+    }
+    if (done == kEvents / 4) early = residentKiB(ui.process());
+  }
+  ui.screenshot("random-input");
+  const long late = residentKiB(ui.process());
+  EXPECT_LT(late, early + 400 * 1024) << "it grew from " << early << " KiB";
+  RecordProperty("residentKiB", std::to_string(late));
+  const std::string log = ui.log();
+  // A refused edit is a hint; what these words name never is.
+  for (const char* word : {"NaN", "not a number", "GL error", "assert", "terminate called", "out of memory"})
+    EXPECT_EQ(log.find(word), std::string::npos) << word << " in\n" << log;
+
+  // It still answers: everything that is open is closed, then a new document takes a node by search.
+  for (int i = 0; i < 6; ++i) {
+    ui.key("Escape");
+    const json t = ui.trace();
+    if (t["rects"].contains("dialog/cancel")) ui.click("dialog/cancel");
+  }
+  ui.key("ctrl+n");
+  if (ui.waitRect("dialog/discard", 2)) ui.click("dialog/discard");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].empty(); }))
+      << ui.trace()["document"];
+  ASSERT_TRUE(ui.waitRect("canvas"));
+  ui.move(ui.emptySpot());
+  ui.key("Tab");
+  ASSERT_TRUE(ui.waitRect("search/field")) << ui.trace()["rects"];
+  ui.type("sphere");
+  ui.key("Return");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["document"]["nodes"].empty(); }));
+}
+
+}  // namespace
+}  // namespace pileus::test

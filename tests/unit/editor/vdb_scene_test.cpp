@@ -1,0 +1,214 @@
+#include "editor/vdb_scene.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+
+#include "editor/crash_log.h"
+#include "editor/drops.h"
+#include "editor/graph_pictures.h"
+#include "nodes/document.h"
+#include "nodes/serialize.h"
+#include "renderer/image/exr.h"
+#include "tests/support/support.h"
+
+namespace pileus::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+volume::VdbFit smoke() {
+  volume::VdbFit fit;
+  fit.file = "/volumes/smoke_0012.vdb";
+  fit.guess.grid = "density";
+  fit.guess.why = "by its name, and it is a fog volume";
+  fit.guess.confidence = volume::Confidence::Sure;
+  fit.fit = {0.123456, 6};
+  fit.voxelSize = 0.1;
+  fit.longest = 200;
+  fit.bounds = {dvec3(-5, 0, -5), dvec3(5, 20, 5)};
+  return fit;
+}
+
+bool linked(const nodes::Graph& graph, const nodes::Link& wanted) {
+  return std::find(graph.links.begin(), graph.links.end(), wanted) != graph.links.end();
+}
+
+std::string ofType(const nodes::Graph& graph, const std::string& type) {
+  for (const auto& [name, node] : graph.nodes)
+    if (node->type == type) return name;
+  return {};
+}
+
+TEST(VdbScene, AnEmptyGraphBecomesALitFramedCloud) {
+  const volume::VdbFit fit = smoke();
+  const Result<VdbScene> scene = addVdbFiles({}, {&fit, 1});
+  ASSERT_TRUE(scene) << scene.error().message;
+  const nodes::Graph& g = scene->graph;
+  EXPECT_EQ(scene->added.size(), g.nodes.size());
+  EXPECT_TRUE(linked(g, {"smoke_0012", "volume", "smoke_0012 Medium", "volume"}));
+  EXPECT_TRUE(linked(g, {"smoke_0012 Medium", "volume", "Pseudometric Map", "volumes"}));
+  EXPECT_TRUE(linked(g, {"smoke_0012 Medium", "volume", "Render", "volumes"}));
+  EXPECT_TRUE(linked(g, {"Extinction Map", "light", "Render", "lights"}));
+  EXPECT_TRUE(linked(g, {"Render", "image", "View", "image"}));
+  EXPECT_EQ(std::get<double>(nodes::findNode(g, "smoke_0012 Medium")->params.at("extinction")), 0.123)
+      << "three digits say what is known";
+  ASSERT_TRUE(scene->camera);
+  EXPECT_EQ(scene->cameraNode, "Camera");
+  EXPECT_NEAR(scene->camera->target.y, 10, 0.1) << "it looks at the middle";
+  // Nothing in it is a fault.
+  const Result<nodes::Loaded> read = nodes::parseGraph(nodes::graphText(g));
+  ASSERT_TRUE(read);
+  for (const nodes::Fault& fault : read->faults) ADD_FAILURE() << nodes::faultText(fault);
+}
+
+TEST(VdbScene, OneUndoTakesItBack) {
+  const volume::VdbFit fit = smoke();
+  nodes::Document document;
+  document.edit(addVdbFiles(document.graph(), {&fit, 1})->graph, "Import smoke_0012.vdb");
+  EXPECT_FALSE(document.graph().nodes.empty());
+  document.undo();
+  EXPECT_TRUE(document.graph().nodes.empty());
+  EXPECT_FALSE(document.canUndo());
+}
+
+TEST(VdbScene, JoinsThePresentScene) {
+  const Result<nodes::Loaded> preset =
+      nodes::loadGraph(fs::path(PILEUS_SOURCE_DIR) / "presets" / "default.json");
+  ASSERT_TRUE(preset);
+  volume::VdbFit fit = smoke();
+  scene::Camera camera;
+  camera.eye = {0, 10, 60};
+  camera.target = {0, 10, 0};
+  const Result<VdbScene> scene = addVdbFiles(preset->graph, {&fit, 1}, "Render", camera);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->graph.nodes.size(), preset->graph.nodes.size() + 2) << "no second sun, render or view";
+  EXPECT_TRUE(linked(scene->graph, {"smoke_0012 Medium", "volume", "Render", "volumes"}));
+  EXPECT_TRUE(linked(scene->graph, {"smoke_0012 Medium", "volume", "Pseudometric Map", "volumes"}));
+  EXPECT_FALSE(linked(scene->graph, {"smoke_0012 Medium", "volume", "Extinction Map", "volumes"}))
+      << "the map takes the metric's volumes";
+  EXPECT_FALSE(scene->camera) << "it is in view";
+  // Out of view: the camera moves, as part of the same graph.
+  camera.eye = {0, 190, 27500};
+  const Result<VdbScene> far = addVdbFiles(preset->graph, {&fit, 1}, "Render", camera);
+  ASSERT_TRUE(far && far->camera);
+  EXPECT_EQ(far->cameraNode, "Camera");
+  EXPECT_EQ(std::get<dvec3>(nodes::findNode(far->graph, "Camera")->params.at("target")), far->camera->target);
+}
+
+TEST(VdbScene, SeveralFilesAndOddNames) {
+  volume::VdbFit a = smoke(), b = smoke();
+  a.file = "/x/fire=1.vdb";
+  b.file = "/x/a.b/c->d.vdb";
+  b.guess.grid = "flames";
+  b.byDefault = false;
+  const std::vector<volume::VdbFit> both{a, b};
+  const Result<VdbScene> scene = addVdbFiles({}, both);
+  ASSERT_TRUE(scene) << scene.error().message;
+  int files = 0;
+  for (const auto& [name, node] : scene->graph.nodes) {
+    EXPECT_TRUE(nodes::checkName(name)) << name;
+    if (node->type != "volume.vdb_file") continue;
+    ++files;
+    EXPECT_EQ(node->params.contains("grid"),
+              std::get<std::string>(node->params.at("file")) == b.file.string());
+  }
+  EXPECT_EQ(files, 2);
+  EXPECT_FALSE(ofType(scene->graph, "render.volume").empty());
+}
+
+TEST(VdbScene, ExplainsWhatItGuessed) {
+  volume::VdbFit fit = smoke();
+  fit.frames = {12, "smoke_0001.vdb", "smoke_0012.vdb"};
+  fit.guess.notes = {"'temperature' looks like temperature: emission is not rendered yet, so it is left out"};
+  std::string all;
+  for (const std::string& line : explainFit(fit)) all += line + "\n";
+  for (const char* part : {"'density'", "by its name", "(sure)", "0.123", "optical depth above 6", "emission",
+                           "12 frames", "smoke_0001.vdb"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+}
+
+TEST(Drops, KindsAndRefusals) {
+  EXPECT_EQ(dropKind("a/B.JSON"), DropKind::Graph);
+  EXPECT_EQ(dropKind("x.VDB"), DropKind::Volume);
+  EXPECT_EQ(dropKind("x.exr"), DropKind::Still);
+  EXPECT_EQ(dropKind("x.hdr"), DropKind::Environment);
+  EXPECT_EQ(dropKind("x"), DropKind::Unknown);
+  EXPECT_NE(whyNotDropped("sky.hdr", DropKind::Environment).find("light the scene with a Sun"),
+            std::string::npos);
+  EXPECT_NE(whyNotDropped("x.nvdb", DropKind::Unknown).find("convert"), std::string::npos);
+}
+
+TEST(Drops, SeveralFilesAtOnceAndAStillGivesItsGraphBack) {
+  const fs::path folder = test::scratchFolder();
+  const nodes::Graph graph = *nodes::addNode({}, "volume.sphere", {0, 0}, "Ball");
+  image::Image picture;
+  picture.size = {4, 3};
+  picture.layers.push_back({"", 4, std::vector<float>(48, 0.25f)});
+  ASSERT_TRUE(image::writeExr(folder / "plain.exr", picture));
+  picture.metadata[image::kGraphAttribute] = nodes::graphTextFor(folder / "still.exr", graph);
+  ASSERT_TRUE(image::writeExr(folder / "still.exr", picture));
+  ASSERT_TRUE(nodes::saveGraph(folder / "g.json", graph));
+  std::ofstream(folder / "notes.txt") << "x";
+  std::ofstream(folder / "broken.exr") << "no picture";
+  JobControl control;
+  const DropContent content = readDrops({folder / "g.json", folder / "still.exr", folder / "plain.exr",
+                                         folder / "broken.exr", folder / "notes.txt", folder / "gone.vdb"},
+                                        control);
+  EXPECT_EQ(content.graphs, std::vector<fs::path>{folder / "g.json"});
+  ASSERT_EQ(content.stills.size(), 1u);
+  const Result<nodes::Loaded> back = nodes::parseGraph(content.stills[0].second);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->graph == graph);
+  ASSERT_EQ(content.refusals.size(), 4u);
+  EXPECT_NE(content.refusals[0].find("Environment lights do not exist yet"), std::string::npos);
+  EXPECT_NE(content.refusals[1].find("not a readable EXR"), std::string::npos);
+  EXPECT_NE(content.refusals[3].find("no such file"), std::string::npos);
+}
+
+TEST(Thumbnails, AreAveragedAndBounded) {
+  std::vector<unsigned char> rgba(1024 * 512 * 4);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) rgba[i] = i / 4 % 2 ? 255 : 0, rgba[i + 1] = 51;
+  const SmallPicture small = reducedPicture({1024, 512}, rgba, 512);
+  EXPECT_EQ(small.size, ivec2(512, 256));
+  EXPECT_FLOAT_EQ(small.rgba[0], 0.5f) << "columns are averaged";
+  EXPECT_FLOAT_EQ(small.rgba[1], 0.2f);
+  EXPECT_EQ(reducedPicture({300, 20}, std::vector<unsigned char>(24000), 512).size, ivec2(300, 20));
+  EXPECT_EQ(reducedPicture({300, 20}, {}, 512).size, ivec2(0)) << "too few pixels";
+  EXPECT_NE(thumbnailPath("/a/b.json"), thumbnailPath("/a/c.json"));
+}
+
+TEST(CrashLog, KeepsTheLastEventsAndReportsOnce) {
+  for (int i = 0; i < 450; ++i) crash::note("event " + std::to_string(i));
+  const std::vector<std::string> events = crash::events();
+  ASSERT_EQ(events.size(), 200u);
+  EXPECT_EQ(events.front(), "event 250");
+  EXPECT_EQ(events.back(), "event 449");
+  const fs::path folder = test::scratchFolder();
+  std::ofstream(folder / "crash-1-2.txt") << "x";
+  EXPECT_EQ(crash::takeNewReports(folder).size(), 1u);
+  EXPECT_TRUE(crash::takeNewReports(folder).empty()) << "mentioned once";
+}
+
+TEST(CrashLogDeathTest, WritesAReport) {
+  const fs::path folder = test::scratchFolder();
+  EXPECT_EXIT(
+      {
+        crash::install(folder);
+        crash::setGraph("/home/me/harbour.json");
+        crash::setDevice("llvmpipe");
+        crash::note("key Ctrl+90");
+        std::abort();
+      },
+      testing::KilledBySignal(SIGABRT), "");
+  const std::vector<fs::path> reports = crash::takeNewReports(folder);
+  ASSERT_EQ(reports.size(), 1u);
+  std::ifstream in(reports[0]);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  for (const char* part : {"SIGABRT", "/home/me/harbour.json", "llvmpipe", "key Ctrl+90", "stack:"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+}  // namespace
+}  // namespace pileus::editor

@@ -149,7 +149,7 @@ Result<std::vector<std::string>> evaluationOrder(const Graph& graph) {
 std::vector<std::string> outputNodes(const Graph& graph) {
   std::vector<std::string> files, views;
   for (const auto& [name, node] : graph.nodes)
-    if (const NodeType* type = findNodeType(node->type); type && type->isOutput)
+    if (const NodeType* type = findNodeType(node->type); type && type->isOutput && !node->disabled)
       (type->id == "output.view" ? views : files).push_back(name);
   files.insert(files.end(), views.begin(), views.end());
   return files;

@@ -104,7 +104,7 @@ struct UpstreamOrder {
   std::map<std::string, std::string> cyclic;
 };
 UpstreamOrder upstreamOrder(const Graph& graph, const std::vector<std::string>& targets);
-/// Output nodes (isOutput) by name, EXR outputs before views.
+/// Output nodes (isOutput) that are not disabled by name, EXR outputs before views.
 std::vector<std::string> outputNodes(const Graph& graph);
 
 }  // namespace pileus::nodes

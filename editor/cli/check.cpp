@@ -65,8 +65,9 @@ bool checkFile(const std::string& file) {
 
 }  // namespace
 
-std::vector<Fault> checkNeeds(const Graph& graph, const std::filesystem::path& folder) {
+std::vector<Fault> checkNeeds(const Graph& whole, const std::filesystem::path& folder) {
   std::vector<Fault> faults;
+  const Graph graph = nodes::flatten(whole).graph;
   const auto outputs = nodes::outputNodes(graph);
   if (outputs.empty()) faults.push_back({false, "", "there is no output node: nothing can be rendered"});
   const auto upstream = nodes::upstreamOrder(graph, outputs).order;

@@ -23,7 +23,7 @@ struct NodeTime {
 
 std::vector<NodeTime> nodeTimes(const Editor& editor) {
   std::vector<NodeTime> times;
-  for (const auto& [name, node] : editor.document.graph().nodes) {
+  for (const auto& [name, node] : editor.document.root().nodes) {
     const nodes::NodeStatus& s = editor.preview.evaluator().status(name);
     if (s.state != nodes::NodeState::Idle && s.cpuMs + s.gpuMs >= 0.05)
       times.push_back({name, s.cpuMs, s.gpuMs});

@@ -80,7 +80,7 @@ std::span<const Action> allActions() {
   static const std::vector<Action> all = [] {
     std::vector<Action> joined;
     for (const auto part : {fileActions(), editActions(), graphActions(), lookActions(), numberedActions(),
-                            viewportActions(), displayActions(), parameterActions(), windowActions(), viewActions(), helpActions()})
+                            viewportActions(), cameraActions(), displayActions(), parameterActions(), windowActions(), viewActions(), helpActions()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

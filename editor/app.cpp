@@ -14,6 +14,7 @@
 #include "editor/panels/panels.h"
 #include "editor/panels/region_view.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/viewport/shadow_place.h"
 #include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
 
@@ -33,9 +34,10 @@ void handleKeys(Editor& editor) {
   if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening || editor.canvas.find.opening) return;
   for (const KeyPress& key : editor.window->keys()) {
     // Esc ends what is going on before it pauses anything.
-    if (editor.canvas.interaction.busy() || keysAreTaken(editor.parameters) || editor.tour.on()) continue;
+    if (editor.canvas.interaction.busy() || editor.canvas.interaction.armed || keysAreTaken(editor.parameters) || editor.tour.on()) continue;
     if (editor.parameters.help.open() && key.key == kEscape) continue;
-    if (key.key == kEscape && cancelRegion(editor)) continue;
+    if (key.key == kEscape && (cancelRegion(editor) || escapeViewport(editor))) continue;
+    if (viewportHoldsKeys(editor)) continue;
     runShortcut(editor, key);
   }
 }
@@ -48,6 +50,7 @@ PreviewRequest previewRequest(const Editor& editor) {
   request.size = editor.viewport.renderSize;
   if (linkedCamera(editor, request.view).empty()) request.freeCamera = editor.viewport.freeCamera;
   request.folder = editor.document.path().parent_path();
+  applyLightView(editor, request);
   request.layer = editor.viewport.mode.layer;
   request.region = wantedRegion(editor);
   request.draftMs = editor.settings.draftMs;
@@ -104,12 +107,12 @@ void noteEvents(const Editor& editor) {
 void protectWork(Editor& editor) {
   const nodes::Document& d = editor.document;
   const bool resting = !ImGui::IsAnyMouseDown() && !editor.canvas.interaction.busy();
-  editor.recovery.watch(d.graph(), d.revision(), d.path(), d.dirty(), resting);
+  editor.recovery.watch(d.root(), d.revision(), d.path(), d.dirty(), resting);
   if (const std::string error = editor.recovery.takeError(); !error.empty())
     editor.messages.warn("Unsaved work could not be kept for recovery: " + error);
   if (endSignal() == 0) return;
   if (d.dirty())
-    if (const Result<void> saved = editor.recovery.saveNow(d.graph(), d.path()); !saved)
+    if (const Result<void> saved = editor.recovery.saveNow(d.root(), d.path()); !saved)
       log::error("{}", saved.error().message);
   editor.quit = true;
 }

@@ -20,6 +20,7 @@ std::span<const Action> graphActions();
 std::span<const Action> lookActions();
 std::span<const Action> numberedActions();
 std::span<const Action> viewportActions();
+std::span<const Action> cameraActions();
 std::span<const Action> displayActions();
 std::span<const Action> parameterActions();
 std::span<const Action> windowActions();

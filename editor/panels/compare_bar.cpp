@@ -70,7 +70,7 @@ void drawCompareBar(Editor& editor, ImVec2 min, ImVec2 max) {
   if (ImGui::InvisibleButton("compare close", {side, side})) toggleCompare(editor);
   editor.trace.item("compare/close");
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered) tooltip(theme, "Leave compare mode (Q)");
+  if (hovered) tooltip(theme, "Leave compare mode (Tab)");
   drawText(draw, theme.small, {cross + 0.5f * (side - textWidth(theme.small, icon::kTimes)), min.y + 0.5f * (side - theme.small->FontSize)},
            hovered ? palette::kText : palette::kTextDim, icon::kTimes, side);
 

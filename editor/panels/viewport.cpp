@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/camera_control.h"
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
@@ -50,61 +49,6 @@ void updateColors(Editor& editor) {
     editor.messages.error(config ? fmt::format("{}; shown with {} instead", viewport.colorError, (*config)->description()) : viewport.colorError);
   }
   viewport.colors = config ? *config : nullptr;
-}
-
-/// While a click picks a ray, a drag begins with a move.
-bool onlyAClick(const Editor& editor) {
-  const float reach = editor.theme.px(4);
-  return editor.scope.picking && editor.viewport.drag == Viewport::Drag::Orbit &&
-         ImGui::GetIO().MouseDragMaxDistanceSqr[0] < reach * reach;
-}
-
-Viewport::Drag dragOf(const ImGuiIO& io) {
-  // Alt is the convention; without it the left and middle buttons still do the obvious.
-  if (ImGui::IsMouseClicked(0))
-    return io.KeyShift && !io.KeyAlt ? Viewport::Drag::Pan : Viewport::Drag::Orbit;
-  if (ImGui::IsMouseClicked(2)) return Viewport::Drag::Pan;
-  if (ImGui::IsMouseClicked(1)) return Viewport::Drag::Dolly;
-  return Viewport::Drag::None;
-}
-
-void moveCamera(Editor& editor, float pictureHeight, bool hovered) {
-  Viewport& viewport = editor.viewport;
-  const ImGuiIO& io = ImGui::GetIO();
-  using Drag = Viewport::Drag;
-  if (hovered && viewport.drag == Drag::None) viewport.drag = dragOf(io);
-  if (viewport.drag != Drag::None) {
-    const double fine = io.KeyShift && viewport.drag == Drag::Orbit ? 0.2 : 1;
-    const dvec2 moved = fine *
-                        dvec2(static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)) /
-                        static_cast<double>(std::max(pictureHeight, 1.0f));
-    const bool click = onlyAClick(editor);
-    if (moved != dvec2(0) && !click) {
-      const scene::Camera camera = currentCamera(editor);
-      if (viewport.drag == Drag::Orbit)
-        setCamera(editor, orbited(camera, moved * kPi), "Orbit camera", "camera drag");
-      else if (viewport.drag == Drag::Pan)
-        setCamera(editor, panned(camera, moved), "Pan camera", "camera drag");
-      else
-        setCamera(editor, dollied(camera, std::exp(2.5 * (moved.y - moved.x))), "Dolly camera",
-                  "camera drag");
-    }
-    if (!ImGui::IsAnyMouseDown()) {
-      if (click)
-        if (const auto uv = pictureUv(viewport, vec(io.MousePos))) pickRay(editor, dvec2(*uv));
-      viewport.drag = Drag::None;
-      editor.document.endMerge();
-    }
-  } else if (hovered && io.MouseWheel != 0) {
-    setCamera(editor, dollied(currentCamera(editor), std::pow(0.88, static_cast<double>(io.MouseWheel))),
-              "Dolly camera", "camera wheel");
-    viewport.wheelEdit = true;
-    viewport.wheelAt = ImGui::GetTime();
-  }
-  if (viewport.wheelEdit && ImGui::GetTime() - viewport.wheelAt > 0.5) {
-    viewport.wheelEdit = false;
-    editor.document.endMerge();
-  }
 }
 
 void drawChip(const Theme& theme, vec2 at, const std::string& text, ImU32 ink) {
@@ -325,7 +269,9 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
     y += height;
   }
   if (const float height = inspectorHeight(editor); height > 0) drawInspectorStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
-  moveCamera(editor, hi.y - lo.y, onPicture && !displayTakesPointer(editor));
+  const bool free = onPicture && !displayTakesPointer(editor);
+  drawViewportTools(editor, lo, hi, free);
+  routeViewportPointer(editor, lo, hi, free);
   editor.trace.rect("viewport", im(lo), im(hi));
 }
 

@@ -13,6 +13,7 @@
 #include "editor/panels/inspector.h"
 #include "editor/panels/snapshots.h"
 #include "renderer/gl/gpu_timer.h"
+#include "editor/viewport/viewport_tools.h"
 #include "renderer/image/color.h"
 #include "renderer/scene/camera.h"
 #include "renderer/view/display.h"
@@ -31,6 +32,7 @@ struct Viewport {
   ivec2 renderSize{0};                      ///< what the panel asks the preview for
 
   enum class Drag { None, Orbit, Pan, Dolly } drag = Drag::None;
+  ViewportTools tools;
   bool wheelEdit = false;  ///< wheel notches merge into one undo step until they rest
   double wheelAt = 0;      ///< ImGui time of the last notch
 

@@ -51,7 +51,7 @@ void setExposure(Editor& editor, double stops) {
   const std::string view = displayNode(editor);
   if (!view.empty())
     tryEditRoot(editor, nodes::setParam(editor.document.root(), view, "exposure", stops), "Exposure",
-            "exposure keys");
+                "exposure keys");
 }
 
 double exposure(const Editor& editor) {

@@ -18,23 +18,4 @@ NavigationChoice navigationMove(NavigationPreset preset, const NavigationInput& 
   return {kByButton[in.button], true, false};
 }
 
-const char* navigationKeys(NavigationPreset preset, CameraMove move) {
-  const bool blender = preset == NavigationPreset::Blender, houdini = preset == NavigationPreset::Houdini;
-  switch (move) {
-    case CameraMove::Orbit:
-      return blender ? "Middle drag, drag" : houdini ? "Space or Alt+drag, drag" : "Alt+drag, drag";
-    case CameraMove::Pan:
-      return blender   ? "Shift+middle drag"
-             : houdini ? "Space or Alt+middle drag, middle drag"
-                       : "Alt+middle drag, middle drag";
-    case CameraMove::Dolly:
-      return blender   ? "Wheel, Ctrl+middle drag, right drag"
-             : houdini ? "Wheel, Space or Alt+right drag, right drag"
-                       : "Wheel, Alt+right drag, right drag";
-    case CameraMove::None:
-      break;
-  }
-  return "";
-}
-
 }  // namespace pileus::editor

@@ -34,7 +34,4 @@ struct NavigationChoice {
 
 /// Plain drags move the camera in every preset.
 NavigationChoice navigationMove(NavigationPreset preset, const NavigationInput& input);
-/// "Alt+drag" and the like, for the sheet of shortcuts.
-const char* navigationKeys(NavigationPreset preset, CameraMove move);
-
 }  // namespace pileus::editor

@@ -47,7 +47,7 @@ TEST(Compare, WipeHalvesAndErrorOfAWrongMap) {
   const std::string picture = ui.trace()["notes"]["picture"];
 
   ui.move(ui.center("viewport"));
-  ui.key("q");
+  ui.key("Tab");
   ASSERT_TRUE(ui.waitRect("compare/line"));
   ASSERT_TRUE(ui.waitFor(truthComplete, 120)) << ui.trace()["notes"];
   EXPECT_EQ(ui.trace()["notes"]["picture"], picture) << "comparing does not begin the picture anew";
@@ -95,7 +95,7 @@ TEST(Compare, WipeHalvesAndErrorOfAWrongMap) {
       << ui.trace()["notes"];
 
   ui.move(ui.center("viewport"));
-  ui.key("q");
+  ui.key("Tab");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("compare/close"); }));
   ui.key("ctrl+q");
   ui.click("dialog/discard");

@@ -1,0 +1,234 @@
+#include "editor/viewport/corner_widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "editor/actions.h"
+#include "editor/camera_control.h"
+#include "editor/editor.h"
+#include "editor/graph_view/canvas_view.h"
+#include "editor/icons.h"
+#include "editor/panels/viewport_camera.h"
+#include "editor/viewport/shadow_place.h"
+#include "editor/widgets.h"
+
+namespace pileus::editor {
+namespace {
+
+/// A square over the picture that can be pressed. ImGui's own items would take the pointer from drags.
+bool pressable(Editor& editor, vec2 lo, vec2 hi, const char* sign, bool on, bool hovered,
+               const std::string& trace, const std::string& help) {
+  const Theme& theme = editor.theme;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const vec2 p = vec(ImGui::GetIO().MousePos);
+  const bool over = hovered && p.x >= lo.x && p.x < hi.x && p.y >= lo.y && p.y < hi.y;
+  if (on || over)
+    draw->AddRectFilled(im(lo), im(hi), on ? palette::kAccentDim : palette::kButtonHover, theme.px(4));
+  const float width = textWidth(theme.body, sign);
+  drawText(draw, theme.body, {0.5f * (lo.x + hi.x - width), 0.5f * (lo.y + hi.y - theme.body->FontSize)},
+           on ? palette::kTextStrong : palette::kText, sign, width + 4);
+  editor.trace.rect(trace, im(lo), im(hi));
+  if (!over) return false;
+  editor.viewport.tools.overWidget = true;
+  if (editor.viewport.drag == Viewport::Drag::None && !editor.viewport.tools.drag) tooltip(theme, help);
+  return ImGui::IsMouseClicked(0);
+}
+
+void overlayMenu(Editor& editor) {
+  static constexpr std::array kIds = {
+      "viewport.overlays",    "viewport.show_bounds", "viewport.show_bricks",     "viewport.show_lights",
+      "viewport.show_solids", "viewport.show_grid",   "viewport.show_safe_frame", "viewport.show_axes"};
+  if (!ImGui::BeginPopup("##overlay menu")) return;
+  for (const char* id : kIds) {
+    actionMenuItem(editor, id);
+    if (id == kIds[0]) ImGui::Separator();
+  }
+  ImGui::EndPopup();
+}
+
+void chipText(Editor& editor, vec2 lo, vec2 hi, const std::string& text, const char* note, float row) {
+  const Theme& theme = editor.theme;
+  const float width = std::min(textWidth(theme.body, text), hi.x - lo.x - theme.space(8));
+  const vec2 pad(theme.space(3), theme.px(6)), size(width, theme.body->FontSize);
+  const vec2 at(std::round(0.5f * (lo.x + hi.x - size.x) - pad.x),
+                std::round(hi.y - theme.space(4) - (size.y + 2 * pad.y) - row));
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), palette::kChip, theme.px(5));
+  drawText(draw, theme.body, at + pad, palette::kText, text, size.x + 1);
+  editor.trace.note(note, text);
+}
+
+}  // namespace
+
+void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered) {
+  const Theme& theme = editor.theme;
+  ViewportTools& tools = editor.viewport.tools;
+  struct Tool {
+    const char* sign;
+    const char* id;
+    const char* help;
+    GizmoMode mode;
+  };
+  static constexpr Tool kTools[] = {
+      {icon::kPointer, "select", "Select: a click chooses what is under the pointer (Q)", GizmoMode::Select},
+      {icon::kMove, "move", "Move (W). Ctrl snaps, Shift is fine, Esc takes it back", GizmoMode::Move},
+      {icon::kRefresh, "rotate", "Rotate (E). Ctrl snaps to 15 degrees", GizmoMode::Rotate},
+      {icon::kExpand, "scale", "Scale (R), always along the node's own axes", GizmoMode::Scale}};
+  const float size = theme.px(28), pad = theme.px(3);
+  const vec2 lo(min.x + theme.space(2), min.y + theme.px(40));
+  const float height = 6 * size + 2 * pad + theme.px(7);
+  if (lo.y + height > max.y - theme.px(8) || max.x - min.x < theme.px(240)) {
+    overlayMenu(editor);
+    return;
+  }
+  ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(lo + vec2(size + 2 * pad, height)), palette::kChip,
+                                            theme.px(6));
+  vec2 at = lo + pad;
+  for (const Tool& t : kTools) {
+    if (pressable(editor, at, at + size, t.sign, tools.mode == t.mode, hovered,
+                  std::string("viewport/tool/") + t.id, t.help))
+      setGizmoMode(editor, t.mode);
+    at.y += size;
+  }
+  at.y += theme.px(3);
+  ImGui::GetWindowDrawList()->AddLine({at.x + theme.px(4), at.y}, {at.x + size - theme.px(4), at.y},
+                                      palette::kLine);
+  at.y += theme.px(4);
+  bool& local = editor.settings.view.localAxes;
+  if (pressable(editor, at, at + size, local ? icon::kCube : icon::kGlobe, false, hovered, "viewport/axes",
+                local ? "Handles along the node's own axes (X changes)"
+                      : "Handles along the world's axes (X changes)"))
+    local = !local;
+  at.y += size;
+  if (pressable(editor, at, at + size, icon::kEye, false, hovered, "viewport/overlays",
+                "What is drawn over the picture"))
+    ImGui::OpenPopup("##overlay menu");
+  overlayMenu(editor);
+  editor.trace.note("gizmo mode", std::to_string(static_cast<int>(tools.mode)));
+}
+
+void drawAxisCross(Editor& editor, const Projection& view, bool hovered) {
+  if (!editor.settings.view.overlays.axes) return;
+  const Theme& theme = editor.theme;
+  ViewportTools& tools = editor.viewport.tools;
+  const float arm = theme.px(26), dot = theme.px(7);
+  const float below = editor.compare.on ? theme.px(28) : 0;
+  const vec2 c(view.max().x - arm - dot - theme.space(3), view.min().y + arm + dot + theme.space(2) + below);
+  if (view.max().x - view.min().x < theme.px(240) || view.max().y - view.min().y < theme.px(150)) return;
+  struct End {
+    int axis;
+    double sign;
+    dvec3 direction;
+    vec2 at;
+    double depth;
+  };
+  std::array<End, 6> ends;
+  for (int i = 0; i < 6; ++i) {
+    dvec3 d(0);
+    d[i / 2] = i % 2 ? -1 : 1;
+    ends[static_cast<std::size_t>(i)] = {i / 2, d[i / 2], d,
+                                         c + arm * vec2(static_cast<float>(glm::dot(d, view.right())),
+                                                        -static_cast<float>(glm::dot(d, view.up()))),
+                                         glm::dot(d, view.forward())};
+  }
+  std::sort(ends.begin(), ends.end(),
+            [](const End& a, const End& b) { return a.depth > b.depth; });  // nearest last
+  const vec2 p = vec(ImGui::GetIO().MousePos);
+  const bool near = hovered && glm::length(p - c) < arm + 2 * dot;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  if (near) {
+    tools.overWidget = true;
+    draw->AddCircleFilled(im(c), arm + dot + theme.px(3), palette::kChip, 48);
+  }
+  const End* over = nullptr;
+  if (near)
+    for (const End& e : ends)
+      if (glm::length(p - e.at) < dot + 2) over = &e;
+  const ImU32 inks[] = {palette::kAxisX, palette::kAxisY, palette::kAxisZ};
+  static constexpr const char* kNames[] = {"X", "Y", "Z"};
+  static constexpr const char* kTrace[] = {"axis/x", "axis/y", "axis/z", "axis/-x", "axis/-y", "axis/-z"};
+  for (const End& e : ends) {
+    const ImU32 ink = &e == over ? palette::kSelect : inks[e.axis];
+    const bool front = e.sign > 0;
+    if (front) {
+      draw->AddLine(im(c), im(e.at), palette::kHandleEdge, 4 * theme.scale);
+      draw->AddLine(im(c), im(e.at), ink, 2 * theme.scale);
+      draw->AddCircleFilled(im(e.at), dot + 1, palette::kHandleEdge);
+      draw->AddCircleFilled(im(e.at), dot, ink);
+      const float width = textWidth(theme.small, kNames[e.axis]);
+      drawText(draw, theme.small, {e.at.x - 0.5f * width, e.at.y - 0.5f * theme.small->FontSize},
+               palette::kHandleEdge | IM_COL32_A_MASK, kNames[e.axis], width + 2);
+    } else if (near) {
+      draw->AddCircleFilled(im(e.at), dot - 1, faded(ink, 0.45f));
+      draw->AddCircle(im(e.at), dot - 1, ink, 0, theme.scale);
+    }
+    editor.trace.rect(kTrace[e.axis + (front ? 0 : 3)], im(e.at - 2.0f), im(e.at + 2.0f));
+  }
+  const bool middle = near && !over && glm::length(p - c) < dot;
+  editor.trace.rect("axis/back", im(c - 2.0f), im(c + 2.0f));
+  if (middle && tools.beforeAxis) draw->AddCircleFilled(im(c), dot, palette::kSelect);
+  if (near && editor.viewport.drag == Viewport::Drag::None)
+    tooltip(theme, over ? std::string("Look along ") + (over->sign > 0 ? "" : "-") + kNames[over->axis] +
+                              "; once more looks from the other side"
+                   : tools.beforeAxis ? "A click in the middle goes back"
+                                      : "Click an axis to look along it");
+  if (!near || !ImGui::IsMouseClicked(0)) return;
+  const scene::Camera now = currentCamera(editor);
+  if (over) {
+    const bool there = over->depth < -0.999;  // already from that side
+    if (!tools.beforeAxis) tools.beforeAxis = now;
+    setCamera(editor, seenFrom(now, there ? -over->direction : over->direction), "Look along an axis", {});
+  } else if (middle && tools.beforeAxis) {
+    setCamera(editor, *tools.beforeAxis, "Camera back", {});
+    tools.beforeAxis.reset();
+  }
+}
+
+void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered) {
+  const Theme& theme = editor.theme;
+  ViewportTools& tools = editor.viewport.tools;
+  float row = 0;
+  const float step = theme.body->FontSize + theme.px(18);
+  if (const std::string hint = shadowPlaceHint(tools); !hint.empty())
+    chipText(editor, min, max, hint, "viewport hint", row), row += step;
+  if (!tools.look.light.empty()) {
+    const std::string text = "Light: " + tools.look.light + "  " + icon::kTimes;
+    const float width = textWidth(theme.body, text);
+    const vec2 pad(theme.space(3), theme.px(6));
+    const vec2 lo(std::round(0.5f * (min.x + max.x - width) - pad.x), min.y + theme.space(2));
+    const vec2 hi = lo + vec2(width, theme.body->FontSize) + 2.0f * pad;
+    ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(hi), palette::kChip, theme.px(5));
+    ImGui::GetWindowDrawList()->AddRect(im(min + 1.0f), im(max - 1.0f), palette::kLightSocket, 0, 0,
+                                        2 * theme.scale);
+    if (pressable(editor, lo, hi, text.c_str(), false, hovered, "viewport/light",
+                  "Orbiting moves the light. A click or Esc goes back to the camera"))
+      leaveLightView(editor);
+    editor.trace.note("viewport light", tools.look.light);
+  }
+  // What the chosen tool cannot do with this node.
+  const std::string name = onlySelected(editor);
+  if (tools.mode == GizmoMode::Select || tools.mode == GizmoMode::Move || tools.drag ||
+      !canInsertTransform(editor)) {
+    if (!(tools.mode == GizmoMode::Move && canInsertTransform(editor) &&
+          !gizmoTarget(editor.document.graph(), name, {})))
+      return;
+  }
+  const auto target = gizmoTarget(editor.document.graph(), name, {});
+  const bool able = target && (tools.mode == GizmoMode::Move     ? target->moves
+                               : tools.mode == GizmoMode::Rotate ? target->turns
+                                                                 : target->scales);
+  if (able) return;
+  const std::string text = std::string(icon::kPlus) + "  Insert Transform after " + name;
+  const float width = textWidth(theme.body, text);
+  const vec2 pad(theme.space(3), theme.px(6));
+  const vec2 lo(std::round(0.5f * (min.x + max.x - width) - pad.x),
+                std::round(max.y - theme.space(4) - theme.body->FontSize - 2 * pad.y - row));
+  const vec2 hi = lo + vec2(width, theme.body->FontSize) + 2.0f * pad;
+  ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(hi), palette::kChip, theme.px(5));
+  if (pressable(editor, lo, hi, text.c_str(), false, hovered, "viewport/insert_transform",
+                "This volume has nothing to drag that way: a Transform node has"))
+    insertTransform(editor);
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,12 @@
+#pragma once
+// The little controls over the picture: tools on the left, the axis cross on the right, hints below.
+#include "editor/viewport/viewport_tools.h"
+
+namespace pileus::editor {
+
+/// Each sets tools.overWidget where the pointer is over it.
+void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered);
+void drawAxisCross(Editor& editor, const Projection& view, bool hovered);
+void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered);
+
+}  // namespace pileus::editor

@@ -1,0 +1,259 @@
+// Navigation, gizmos and the tools of the viewport in a real window with real input.
+#include "tests/ui/ui_session.h"
+
+namespace pileus::test {
+namespace {
+
+constexpr char kGraph[] = R"({
+  "pileus": 1,
+  "settings": { "size": [480, 270], "frames": [1, 1], "fps": 24, "ocio": "", "workingSpace": "ACEScg" },
+  "nodes": {
+    "Ball": { "type": "volume.sphere", "at": [0, 0], "params": { "radius": 0.6, "density": 3 } },
+    "Place": { "type": "volume.transform", "at": [220, 0], "params": { "translate": [-0.8, 0.3, 0] } },
+    "Low": { "type": "volume.box", "at": [0, 140], "params": { "center": [0.6, -1.2, 0], "size": [3, 0.5, 1.6], "density": 2 } },
+    "Sun": { "type": "light.sun", "at": [0, 260], "params": { "azimuth": 40, "elevation": 50 } },
+    "Spot": { "type": "light.spot", "at": [0, 380], "params": { "position": [2, 1.6, 0.5], "target": [0.8, -0.8, 0], "cone": 40 } },
+    "Camera": { "type": "camera.perspective", "at": [0, 500], "params": { "eye": [0.5, 0.8, 7] } },
+    "Render": { "type": "render.volume", "at": [520, 0], "params": { "samples": 2 } },
+    "View": { "type": "output.view", "at": [780, 0] }
+  },
+  "links": [
+    "Ball.volume -> Place.volume",
+    "Place.volume -> Render.volumes",
+    "Low.volume -> Render.volumes",
+    "Sun.light -> Render.lights",
+    "Spot.light -> Render.lights",
+    "Camera.camera -> Render.camera",
+    "Render.image -> View.image"
+  ]
+}
+)";
+
+std::filesystem::path graphFile() {
+  const std::filesystem::path path = scratchFolder() / "gizmos.json";
+  std::ofstream(path) << kGraph;
+  return path;
+}
+
+json param(const json& t, const char* node, const char* id) {
+  const json& params = t["document"]["nodes"][node]["params"];
+  return params.contains(id) ? params[id] : json();
+}
+
+bool settled(const json& t) { return t["complete"] == true; }
+bool selected(const json& t, const char* node) { return t["selection"] == json::array({node}); }
+
+/// A point of the picture by its part of the rectangle.
+Point at(const UiSession& ui, double x, double y) {
+  const json r = ui.trace()["rects"]["viewport"];
+  return {r[0].get<double>() + x * (r[2].get<double>() - r[0].get<double>()),
+          r[1].get<double>() + y * (r[3].get<double>() - r[1].get<double>())};
+}
+
+TEST(Gizmo, PicksMovesTurnsAndTakesBack) {
+  UiSession ui({1440, 900}, {graphFile().string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor(settled, 60)) << ui.log();
+  ui.screenshot("60-viewport");
+
+  // A click on the ball chooses the transform that places it; one beside everything nothing.
+  const json camera = ui.trace()["document"]["nodes"]["Camera"];
+  ui.click(at(ui, 0.385, 0.44));
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Place"); })) << ui.trace()["selection"];
+  EXPECT_EQ(ui.trace()["document"]["nodes"]["Camera"], camera) << "a click moves no camera";
+  ui.key("w");
+  ASSERT_TRUE(ui.waitRect("gizmo/axis/0"));
+  ui.screenshot("61-move");
+
+  const Point x = ui.center("gizmo/axis/0");
+  ui.press(x);
+  ui.dragTo(x, {x.x + 60, x.y + 20});
+  EXPECT_TRUE(
+      ui.waitFor([](const json& t) { return t["notes"].value("gizmo readout", "").starts_with("X +"); }));
+  ui.screenshot("62-moving");
+  ui.release();
+  ASSERT_TRUE(ui.waitFor([](const json& t) {
+    const json p = param(t, "Place", "translate");
+    return p[0].get<double>() > -0.6 && p[1] == 0.3 && p[2] == 0.0 && t["undo"] == "Move Place";
+  })) << ui.trace()["document"]["nodes"]["Place"];
+  ui.key("ctrl+z");
+  ASSERT_TRUE(ui.waitFor([](const json& t) {
+    return param(t, "Place", "translate") == json::array({-0.8, 0.3, 0}) && t["undo"] == "";
+  })) << "one drag is one step: "
+      << ui.trace()["undo"];
+
+  // Esc takes back a drag without a trace.
+  ASSERT_TRUE(ui.waitRect("gizmo/axis/1"));
+  const Point y = ui.center("gizmo/axis/1");
+  ui.press(y);
+  ui.dragTo(y, {y.x, y.y - 40});
+  EXPECT_TRUE(
+      ui.waitFor([](const json& t) { return param(t, "Place", "translate")[1].get<double>() > 0.4; }));
+  ui.key("Escape");
+  ui.release();
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return param(t, "Place", "translate") == json::array({-0.8, 0.3, 0}) && t["undo"] == "";
+  }));
+
+  ui.key("e");
+  ASSERT_TRUE(ui.waitRect("gizmo/ring/1"));
+  ui.screenshot("63-rotate");
+  const Point ring = ui.center("gizmo/view_ring/0");
+  ui.drag(ring, {ring.x + 8, ring.y + 50});
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["undo"] == "Turn Place" && !param(t, "Place", "rotate").is_null();
+  })) << ui.trace()["undo"];
+  ui.key("r");
+  ASSERT_TRUE(ui.waitRect("gizmo/scale_axis/1"));
+  ui.screenshot("64-scale");
+  const Point grow = ui.center("gizmo/scale_axis/1");
+  ui.drag(grow, {grow.x, grow.y - 30});
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return param(t, "Place", "scale").is_array() && param(t, "Place", "scale")[1].get<double>() > 1.1;
+  }));
+
+  // The sun by its disc, the spot by its cone.
+  ui.click("light/Sun");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Sun"); }));
+  ASSERT_TRUE(ui.waitRect("gizmo/sun_disc/0"));
+  ui.screenshot("65-sun");
+  const Point disc = ui.center("gizmo/sun_disc/0");
+  ui.drag(disc, {disc.x - 50, disc.y + 20});
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return param(t, "Sun", "azimuth").is_number() && param(t, "Sun", "azimuth").get<double>() < 35 &&
+           t["undo"] == "Turn Sun";
+  }));
+  ui.click("light/Spot");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Spot"); }));
+  ui.key("w");
+  ASSERT_TRUE(ui.waitRect("gizmo/cone/0"));
+  ui.screenshot("66-spot");
+
+  // A volume that cannot be turned: a transform is offered, one step.
+  ui.click("header/Low");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Low"); }));
+  ui.move(at(ui, 0.5, 0.2));
+  ui.key("e");
+  ASSERT_TRUE(ui.waitRect("viewport/insert_transform"));
+  ui.screenshot("67-insert");
+  ui.click("viewport/insert_transform");
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["undo"] == "Insert Transform" && t["document"]["nodes"].contains("Transform") &&
+           t["rects"].contains("gizmo/ring/0");
+  }));
+}
+
+TEST(Navigation, ToolsOfTheViewport) {
+  UiSession ui({1440, 900}, {graphFile().string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor(settled, 60)) << ui.log();
+  const json start = ui.trace()["document"]["nodes"]["Camera"];
+  const auto camera = [&] { return ui.trace()["document"]["nodes"]["Camera"]; };
+  const auto moved = [&](const json& from) {
+    return ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Camera"] != from; });
+  };
+
+  // Axis cross, from the other side, and back.
+  ui.click("axis/x");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return param(t, "Camera", "eye")[0].get<double>() > 6.9; }))
+      << camera();
+  ui.screenshot("70-from-x");
+  ui.click("axis/back");
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Camera"] == start; }))
+      << camera();
+
+  // Bookmarks; the wheel goes to the pointer.
+  ui.move(at(ui, 0.5, 0.75));
+  ui.key("ctrl+shift+3");
+  ui.input({"click", "4"});
+  ASSERT_TRUE(moved(start));
+  EXPECT_NE(camera()["params"].value("target", json()), start["params"].value("target", json()))
+      << "not straight to the target";
+  ui.key("ctrl+3");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Camera"] == start; }))
+      << camera();
+
+  // Frame the selection, frame all.
+  ui.click("header/Place");
+  ui.move(at(ui, 0.5, 0.8));
+  ui.key("f");
+  ASSERT_TRUE(ui.waitFor([](const json& t) {
+    return t["undo"] == "Frame selection" &&
+           std::abs(param(t, "Camera", "target")[0].get<double>() + 0.8) < 0.01;
+  }));
+  ui.key("a");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == "Frame volumes"; }));
+  ui.key("ctrl+3");
+
+  // Through the sun: orbiting turns it; Esc comes back to the same camera.
+  ui.click("header/Sun");
+  ui.move(at(ui, 0.5, 0.8));
+  ui.key("l");
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["notes"].value("viewport light", "") == "Sun" && settled(t); }, 40));
+  ui.screenshot("71-through-sun");
+  const Point free = at(ui, 0.5, 0.9);
+  ui.drag(free, {free.x + 60, free.y});
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["undo"] == "Move Sun" && param(t, "Sun", "azimuth") != 40;
+  })) << ui.trace()["undo"];
+  ui.key("Escape");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) {
+    return !t["notes"].contains("viewport light") && t["document"]["nodes"]["Camera"] == start;
+  })) << camera();
+
+  // Placed by its shadow: what casts, then where it should fall.
+  ui.key("v");
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["notes"].value("viewport hint", "").starts_with("Click what casts"); }));
+  ASSERT_TRUE(ui.waitFor(settled, 40));
+  ui.click(at(ui, 0.385, 0.44));
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["notes"].value("viewport hint", "").starts_with("Point at where"); }));
+  const json sun = ui.trace()["document"]["nodes"]["Sun"];
+  ui.move(at(ui, 0.5, 0.73));
+  ui.screenshot("72-by-shadow");
+  ui.click(at(ui, 0.52, 0.73));
+  EXPECT_TRUE(ui.waitFor([&](const json& t) {
+    return t["document"]["nodes"]["Sun"] != sun && !t["notes"].contains("viewport hint") &&
+           t["undo"] == "Place Sun by its shadow";
+  })) << ui.trace()["undo"];
+
+  // Overlays from their little menu.
+  for (const char* id :
+       {"menu/viewport.show_grid", "menu/viewport.show_bounds", "menu/viewport.show_safe_frame"}) {
+    ui.click("viewport/overlays");
+    ASSERT_TRUE(ui.waitRect(id));
+    ui.click(id);
+  }
+  ui.move(at(ui, 0.5, 0.9));
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("overlay grid", "").ends_with(" m"); }));
+  ui.screenshot("73-overlays");
+}
+
+TEST(Gizmo, OnTheDefaultPreset) {
+  UiSession ui({1440, 900}, {std::string(PILEUS_SOURCE_DIR) + "/presets/default.json"});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.waitFor([](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Sun"); },
+             60);
+  ui.click("light/Sun");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Sun"); }));
+  ui.waitFor(settled, 60);
+  ui.screenshot("75-default-sun");
+  ui.click("header/Clouds");
+  ui.move(at(ui, 0.5, 0.8));
+  ui.key("w");
+  ASSERT_TRUE(ui.waitRect("gizmo/axis/1"));
+  ui.screenshot("76-default-move");
+  ui.click("viewport/overlays");
+  ASSERT_TRUE(ui.waitRect("menu/viewport.show_bricks"));
+  ui.click("menu/viewport.show_bricks");
+  ui.move(at(ui, 0.5, 0.9));
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["notes"].value("overlay bricks", "").find(" bricks of level ") != std::string::npos;
+  })) << ui.trace()["notes"];
+  ui.screenshot("77-default-bricks");
+}
+
+}  // namespace
+}  // namespace pileus::test

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "nodes/flatten.h"
+
 namespace pileus::cli {
 namespace {
 

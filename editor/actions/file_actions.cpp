@@ -25,6 +25,7 @@ const Action kActions[] = {
      nullptr,
      false,
      true},
+    {"file.import_vdb", "Import VDB\xe2\x80\xa6", "File", P::Global, {}, askImportVdb},
     {"file.save",
      "Save",
      "File",

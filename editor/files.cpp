@@ -4,6 +4,7 @@
 
 #include "editor/editor.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/viewport/camera_places.h"
 #include "embedded_presets.h"
 #include "nodes/serialize.h"
 #include "renderer/base/file.h"
@@ -48,6 +49,7 @@ bool write(Editor& editor, const fs::path& path) {
   }
   followFolder(editor, path);
   bookmarksFollow(editor, editor.document.path().string(), path.string());
+  cameraPlacesFollow(editor, editor.document.path().string(), path.string());
   editor.document.markSaved(path);
   editor.diskStamp = fileStamp(path);
   editor.recovery.discard();

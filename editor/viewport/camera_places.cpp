@@ -55,6 +55,18 @@ void goToCameraPlace(Editor& editor, int number) {
   setCamera(editor, camera, fmt::format("Go to camera {}", number), {});
 }
 
+void cameraPlacesFollow(Editor& editor, const std::string& from, const std::string& to) {
+  if (from == to) return;
+  std::vector<CameraPlaces>& all = editor.settings.view.cameras;
+  std::optional<CameraPlaces> ours;
+  for (const CameraPlaces& p : all)
+    if (p.path == from) ours = p;
+  std::erase_if(all, [&](const CameraPlaces& p) { return p.path.empty() || (ours && p.path == to); });
+  if (!ours) return;
+  ours->path = to;
+  all.insert(all.begin(), std::move(*ours));
+}
+
 bool hasLinkedCamera(const Editor& editor) { return !linkedCamera(editor, shownView(editor)).empty(); }
 
 void cameraFromView(Editor& editor) {

@@ -10,6 +10,8 @@ struct Editor;
 void saveCameraPlace(Editor& editor, int number);
 void goToCameraPlace(Editor& editor, int number);
 bool hasCameraPlace(const Editor& editor, int number);
+/// The document has another path now: its places come along.
+void cameraPlacesFollow(Editor& editor, const std::string& from, const std::string& to);
 
 /// A camera node like the view, linked to what is shown; one undo step.
 void cameraFromView(Editor& editor);

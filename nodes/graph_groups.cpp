@@ -50,11 +50,11 @@ Result<Graph> withGraphAt(const Graph& root, std::span<const std::string> scope,
   if (!before) return fail(Code::Arguments, "there is no group '{}'", name);
   PILEUS_TRY(Graph after, withGraphAt(*before, scope.subspan(1), std::move(inner)));
   Graph result = root;
-  std::erase_if(result.links, [&](Link& link) {
+  for (Link& link : result.links) {
     if (link.toNode == name) link.toSocket = followed(*before, after, link.toSocket, "group.input");
     if (link.fromNode == name) link.fromSocket = followed(*before, after, link.fromSocket, "group.output");
-    return link.toSocket.empty() || link.fromSocket.empty();
-  });
+  }
+  std::erase_if(result.links, [](const Link& l) { return l.toSocket.empty() || l.fromSocket.empty(); });
   changeNode(result, name, [&](Node& node) { node.group = std::make_shared<const Graph>(std::move(after)); });
   return result;
 }

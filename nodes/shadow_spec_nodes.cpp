@@ -162,7 +162,7 @@ std::vector<ShadowNodes> shadowsOf(const Graph& graph, const std::string& render
     for (const Link& l : graph.links) {
       if (l.muted || l.toNode != name || !type) continue;
       const int input = type->inputIndex(l.toSocket);
-      if (input >= 0 && type->inputs[std::size_t(input)].type == SocketType::Light) visit(l.fromNode);
+      if (input >= 0 && (type->inputs[std::size_t(input)].any || type->inputs[std::size_t(input)].type == SocketType::Light)) visit(l.fromNode);
     }
   };
   visit(renderNode);

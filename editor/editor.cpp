@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "nodes/graph_groups.h"
+
 namespace pileus::editor {
 
 namespace {
@@ -14,6 +16,11 @@ void checkSelectedLink(Editor& editor) {
     editor.canvas.selectedLink.reset();
 }
 
+bool tooDeep(Editor& editor) {
+  editor.messages.hint(fmt::format("Groups may be nested {} deep.", nodes::kDeepestGroup));
+  return false;
+}
+
 }  // namespace
 
 bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& label,
@@ -22,7 +29,7 @@ bool tryEdit(Editor& editor, Result<nodes::Graph> graph, const std::string& labe
     editor.messages.hint(graph.error().message);
     return false;
   }
-  editor.document.edit(std::move(*graph), label, mergeKey);
+  if (!editor.document.edit(std::move(*graph), label, mergeKey)) return tooDeep(editor);
   checkSelectedLink(editor);
   return true;
 }
@@ -33,7 +40,7 @@ bool tryEditRoot(Editor& editor, Result<nodes::Graph> root, const std::string& l
     editor.messages.hint(root.error().message);
     return false;
   }
-  editor.document.editRoot(std::move(*root), label, mergeKey);
+  if (!editor.document.editRoot(std::move(*root), label, mergeKey)) return tooDeep(editor);
   checkSelectedLink(editor);
   return true;
 }

@@ -73,8 +73,8 @@ TEST_P(Gallery, EveryState) {
   shot("9-compare");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Gallery, testing::ValuesIn(kLooks), [](const auto& info) {
-  std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(All, Gallery, testing::ValuesIn(kLooks), [](const auto& which) {
+  std::string name = which.param.name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });

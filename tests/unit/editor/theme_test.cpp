@@ -120,7 +120,7 @@ TEST_P(Themes, NothingIsPureAndPicturesStandOnNeutralGrey) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Themes, testing::Values(Appearance::Dark, Appearance::Light),
-                         [](const auto& info) { return std::string(enumId(info.param)); });
+                         [](const auto& which) { return std::string(enumId(which.param)); });
 
 TEST(Themes, ThemesDifferAndComeBack) {
   std::vector<ImU32> dark, light;

@@ -153,14 +153,9 @@ void setCamera(Editor& editor, const scene::Camera& camera, const std::string& l
     editor.viewport.freeCamera = camera;
     return;
   }
-  // Six significant digits are far below a pixel and keep files readable.
-  const auto tidy = [&](dvec3 v) {
-    const double step =
-        std::pow(10.0, std::floor(std::log10(std::max(glm::length(camera.eye - camera.target), 1e-6))) - 5);
-    return glm::round(v / step) * step;
-  };
-  Result<nodes::Graph> graph = nodes::setParam(editor.document.root(), name, "eye", tidy(camera.eye));
-  if (graph) graph = nodes::setParam(*graph, name, "target", tidy(camera.target));
+  const double scale = glm::length(camera.eye - camera.target);
+  Result<nodes::Graph> graph = nodes::setParam(editor.document.root(), name, "eye", tidy(camera.eye, scale));
+  if (graph) graph = nodes::setParam(*graph, name, "target", tidy(camera.target, scale));
   // A place that was saved has an angle of its own.
   if (const scene::Camera now = currentCamera(editor); now.fov != camera.fov || now.up != camera.up) {
     if (graph) graph = nodes::setParam(*graph, name, "fov", camera.fov);

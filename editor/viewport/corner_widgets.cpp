@@ -208,12 +208,7 @@ void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered) {
   }
   // What the chosen tool cannot do with this node.
   const std::string name = onlySelected(editor);
-  if (tools.mode == GizmoMode::Select || tools.mode == GizmoMode::Move || tools.drag ||
-      !canInsertTransform(editor)) {
-    if (!(tools.mode == GizmoMode::Move && canInsertTransform(editor) &&
-          !gizmoTarget(editor.document.graph(), name, {})))
-      return;
-  }
+  if (tools.drag || tools.mode == GizmoMode::Select || !canInsertTransform(editor)) return;
   const auto target = gizmoTarget(editor.document.graph(), name, {});
   const bool able = target && (tools.mode == GizmoMode::Move     ? target->moves
                                : tools.mode == GizmoMode::Rotate ? target->turns

@@ -1,8 +1,11 @@
 // What a click in the picture chooses, and inserting a transform where a volume has none.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "editor/editor.h"
 #include "editor/viewport/viewport_tools.h"
+#include "renderer/view/visible_point.h"
 
 namespace pileus::editor {
 namespace {
@@ -60,6 +63,24 @@ std::string nodeAt(const Editor& editor, const Projection& view, vec2 at) {
   }
   const Ray ray = view.ray(at);
   const nodes::Graph& graph = editor.document.root();
+  // What is seen there, so that a cloud within a haze can be chosen; else the nearest bounds.
+  const auto& picture = editor.preview.picture();
+  const auto seen =
+      picture && picture->scene
+          ? view::visiblePoint(*picture->scene, dvec2((at - view.min()) / (view.max() - view.min())))
+          : std::nullopt;
+  if (seen) {
+    const double distance = glm::length(*seen - ray.origin);
+    for (const PlacedSolid& s : scene.solids)
+      if (const auto hit = scene::intersect(s.solid, ray.origin, ray.direction);
+          hit && std::abs(hit->t - distance) < 1e-3 * distance)
+        return handleOf(graph, s.chain);
+    const PlacedVolume* densest = nullptr;
+    double most = 0;
+    for (const PlacedVolume& v : scene.volumes)
+      if (const double sigma = volume::sigmaAt(v.instance, *seen); sigma > most) most = sigma, densest = &v;
+    if (densest) return handleOf(graph, densest->chain);
+  }
   std::string name;
   double nearest = std::numeric_limits<double>::infinity();
   for (const PlacedVolume& v : scene.volumes)

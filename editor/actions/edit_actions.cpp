@@ -21,14 +21,24 @@ void redo(Editor& e) {
   e.messages.note("Redone: " + label);
 }
 
+// Over a parameter the clipboard is that of values.
+bool canCopy(const Editor& e) { return hasSelection(e) || e.parameters.hovered.has_value(); }
+void copy(Editor& e) {
+  const auto value = [](Editor& editor, const ParamTarget& target) { copyParam(editor, target); };
+  if (!onHoveredParam(e, value)) copySelection(e);
+}
+void paste(Editor& e) {
+  if (!onHoveredParam(e, pasteParam)) pasteNodes(e);
+}
+
 using P = Panel;
 
 const Action kActions[] = {
     {"edit.undo", "Undo", "Edit", P::Global, {ctrl(GLFW_KEY_Z)}, undo, canUndo},
     {"edit.redo", "Redo", "Edit", P::Global, {ctrlShift(GLFW_KEY_Z), ctrl(GLFW_KEY_Y)}, redo, canRedo},
     {"edit.cut", "Cut", "Edit", P::Global, {ctrl(GLFW_KEY_X)}, cutSelection, hasSelection, nullptr, true},
-    {"edit.copy", "Copy", "Edit", P::Global, {ctrl(GLFW_KEY_C)}, copySelection, hasSelection},
-    {"edit.paste", "Paste", "Edit", P::Global, {ctrl(GLFW_KEY_V)}, pasteNodes},
+    {"edit.copy", "Copy", "Edit", P::Global, {ctrl(GLFW_KEY_C)}, copy, canCopy},
+    {"edit.paste", "Paste", "Edit", P::Global, {ctrl(GLFW_KEY_V)}, paste},
     {"edit.select_all", "Select All", "Edit", P::Global, {ctrl(GLFW_KEY_A)}, selectAllNodes, hasNodes},
 };
 

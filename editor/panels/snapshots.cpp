@@ -58,6 +58,9 @@ void deleteSnapshot(Editor& editor, std::size_t index) {
   Snapshots& s = editor.viewport.snapshots;
   if (index >= s.all.size()) return;
   editor.messages.note(s.all[index].name + " deleted");
+  // What was drawn of it would keep its texels.
+  for (Viewport::Drawn& drawn : editor.viewport.drawn)
+    if (drawn.picture == s.all[index].picture) drawn.picture.reset();
   s.all.erase(s.all.begin() + static_cast<std::ptrdiff_t>(index));
   const auto gone = static_cast<int>(index);
   for (int* side : {&s.left, &s.right}) {

@@ -119,7 +119,15 @@ bool hasPicture(const Editor& editor) {
 void drawViewportTools(Editor& editor, vec2 min, vec2 max, bool hovered) {
   ViewportTools& tools = editor.viewport.tools;
   tools.overWidget = false;
-  tools.scene = viewScene(editor);
+  // Once all is worked out it changes with the document alone.
+  const std::string shown = shownView(editor);
+  if (!tools.sceneComplete || !editor.preview.complete() ||
+      tools.sceneRevision != editor.document.revision() || tools.sceneView != shown) {
+    tools.scene = viewScene(editor);
+    tools.sceneComplete = editor.preview.complete();
+    tools.sceneRevision = editor.document.revision();
+    tools.sceneView = shown;
+  }
   if (!tools.look.light.empty() && !lightViewCamera(editor)) tools.look = {};
   if (!hasPicture(editor)) return;
   const scene::Camera camera = currentCamera(editor);

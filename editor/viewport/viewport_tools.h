@@ -40,7 +40,10 @@ struct ViewportTools {
   ShadowPlace place;
   LightView look;
   std::optional<scene::Camera> beforeAxis;  ///< what the middle of the axis cross goes back to
-  ViewScene scene;                          ///< of this frame
+  ViewScene scene;                          ///< what is shown, and what it was made of:
+  std::uint64_t sceneRevision = 0;
+  std::string sceneView;
+  bool sceneComplete = false;
   bool overWidget = false;
 };
 

@@ -45,7 +45,7 @@ bool isMuted(const json& trace, const std::string& link) {
 /// Opened, rendered, and zoomed out so that there is room around the nodes.
 struct Canvas {
   UiSession ui;
-  explicit Canvas(int notches = 2) : ui({1280, 800}, {graphFile().string()}) {
+  explicit Canvas(int notches = 1) : ui({1280, 800}, {graphFile().string()}) {
     if (!ui.running()) return;
     ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
     ui.move(ui.emptySpot());

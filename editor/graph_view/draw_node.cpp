@@ -38,8 +38,8 @@ void drawStack(const Theme& theme, const CanvasView& view, const Frame& f) {
     const float by = view.px(3.5f) * static_cast<float>(i);
     const vec2 lo = f.lo + vec2(by, -by), hi = f.hi + vec2(by, -by);
     view.draw->AddRectFilled(im(lo), im(hi),
-                             mixed(palette::kNode, palette::kCanvas, 0.25f * static_cast<float>(i)), f.round);
-    view.draw->AddRect(im(lo), im(hi), palette::kNodeBorder, f.round, 0, theme.scale);
+                             mixed(palette::kNode, palette::kCanvas, 0.2f * static_cast<float>(i)), f.round);
+    view.draw->AddRect(im(lo), im(hi), palette::kScroll, f.round, 0, theme.scale);
   }
 }
 
@@ -107,15 +107,17 @@ void drawThrough(const Theme& theme, const CanvasView& view, const NodePlace& pl
 /// Too far away for sockets and their labels: the name alone, at a size that can still be read.
 void drawDistantName(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look,
                      const Frame& f) {
+  const float bottom =
+      place.thumbnail == Thumbnail::None ? f.hi.y : std::round(view.screen(place.pictureMin).y);
   const float room = f.hi.x - f.lo.x - 6 * theme.scale;
   ImFont* font = theme.small;
-  if (room < theme.px(46) || f.hi.y - f.lo.y < font->FontSize) return;
+  if (room < theme.px(46) || bottom - f.lo.y < font->FontSize) return;
   const std::string_view title = titleOf(place);
   const float width = std::min(textWidth(font, title), room);
   const bool quiet = place.node->bypass || look.disabled || look.unfound;
   drawText(view.draw, font,
            {0.5f * (f.lo.x + f.hi.x - width),
-            std::max(0.5f * (f.lo.y + f.header + f.hi.y - font->FontSize), f.lo.y)},
+            std::max(0.5f * (f.lo.y + f.header + bottom - font->FontSize), f.lo.y)},
            quiet ? palette::kTextFaint : palette::kText, title, room);
 }
 
@@ -265,7 +267,7 @@ void drawNode(const Theme& theme, const CanvasView& view, const NodePlace& place
   drawBorder(theme, view, look, f);
   if (view.level.text)
     drawHeader(theme, view, place, look, f);
-  else if (place.thumbnail == Thumbnail::None)
+  else
     drawDistantName(theme, view, place, look, f);
   if (view.level.zoom > 0.25f * theme.scale) drawSockets(theme, view, place, look);
   if (look.status) drawFooter(theme, view, place, look);

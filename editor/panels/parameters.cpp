@@ -274,7 +274,7 @@ Names shownNodes(const Editor& editor) {
 }
 
 double helpDueIn(const Parameters& panel) {
-  if (!panel.under || panel.rest.long_) return 0;
+  if (!panel.rest.inside || panel.rest.long_) return 0;
   const double age = ImGui::GetTime() - panel.rest.since;
   return std::max(0.02, (age < kShortRest ? kShortRest : kLongRest) - age + 0.01);
 }
@@ -297,7 +297,7 @@ void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
   panel.hovered.reset();
   panel.litParam = std::exchange(panel.nextLit, {});
   if (!panel.pinned.empty() && !editor.document.graph().nodes.contains(panel.pinned)) panel.pinned.clear();
-  panel.under = ImGui::IsMouseHoveringRect(min, max, false);
+  panel.rest.inside = ImGui::IsMouseHoveringRect(min, max, false);
   updateRest(panel.rest);
   updateDisplayColors(editor);
   const ImVec2 pad = {theme.space(3), theme.space(3)};

@@ -26,6 +26,7 @@ struct PointerRest {
   ImVec2 at{-1, -1};
   double since = 0;
   bool short_ = false, long_ = false;
+  bool inside = false;  ///< the pointer is over the panel
 };
 
 struct Parameters {
@@ -44,7 +45,6 @@ struct Parameters {
   std::string scrollOf;                  ///< node whose rows were drawn last
   ImVec2 min{0, 0};                      ///< of the panel
   PointerRest rest;
-  bool under = false;  ///< the pointer is over the panel
   DragMemory drag;
   std::optional<nodes::Settings> settingsBefore;  ///< when a drag of a setting began
   DisplayColors colors;

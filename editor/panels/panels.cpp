@@ -67,6 +67,9 @@ bool inside(const PanelRect& r, ImVec2 p) {
   return p.x >= r.min.x && p.x < r.max.x && p.y >= r.min.y && p.y < r.max.y;
 }
 
+/// The parameters' corner holds buttons of the node.
+bool hasCorner(const PanelInfo& info) { return info.panel != Panel::Parameters; }
+
 /// The corner that shows, while the pointer is in it or in the panel's bar, buttons to maximise and hide it.
 PanelRect cornerOf(const Editor& editor, const PanelInfo& info, const PanelRect& r) {
   const Theme& theme = editor.theme;
@@ -116,7 +119,7 @@ void drawCorner(Editor& editor, const PanelInfo& info, const PanelRect& r) {
 /// Returns whether the pointer is over the panel and nothing covers it.
 bool drawPanel(Editor& editor, const PanelInfo& info, const PanelRect& r) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const bool inCorner = inside(cornerOf(editor, info, r), mouse);
+  const bool inCorner = hasCorner(info) && inside(cornerOf(editor, info, r), mouse);
   beginFixed((std::string("##") + info.id).c_str(), im(r.min), im(r.max), kFixed);
   const bool over =
       ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
@@ -131,7 +134,8 @@ bool drawPanel(Editor& editor, const PanelInfo& info, const PanelRect& r) {
                        {r.max.x, r.min.y + editor.theme.px(kBar)}};
   const bool held = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (inside(band, mouse) && (over || inCorner) && (inCorner || !held) && !popup) drawCorner(editor, info, r);
+  if (hasCorner(info) && inside(band, mouse) && (over || inCorner) && (inCorner || !held) && !popup)
+    drawCorner(editor, info, r);
   return over || (inCorner && !popup);
 }
 

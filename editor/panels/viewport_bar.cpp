@@ -192,7 +192,8 @@ void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max) {
           0};
   bar.layer = shownLayer(editor, bar.layers);
   editor.trace.note("viewport layer", bar.layers[bar.layer].label);
-  const float side = ImGui::GetFrameHeight(), more = max.x - theme.space(2) - side, y = min.y + theme.px(5);
+  // Right of it is room for the buttons that maximise and hide the panel.
+  const float side = ImGui::GetFrameHeight(), more = max.x - theme.px(66) - side, y = min.y + theme.px(5);
   const auto shown = fitting(bar, more - theme.space(2) - (min.x + theme.space(2)));
   float left = min.x + theme.space(2), rightWidth = 0;
   for (std::size_t i = 0; i < kCount; ++i)

@@ -165,23 +165,21 @@ void drawAxisCross(Editor& editor, const Projection& view, bool hovered) {
     }
     editor.trace.rect(kTrace[e.axis + (front ? 0 : 3)], im(e.at - 2.0f), im(e.at + 2.0f));
   }
-  const bool middle = near && !over && glm::length(p - c) < dot;
   editor.trace.rect("axis/back", im(c - 2.0f), im(c + 2.0f));
-  if (middle && tools.beforeAxis) draw->AddCircleFilled(im(c), dot, palette::kSelect);
   if (near && editor.viewport.drag == Viewport::Drag::None)
     tooltip(theme, over ? std::string("Look along ") + (over->sign > 0 ? "" : "-") + kNames[over->axis] +
                               "; once more looks from the other side"
-                   : tools.beforeAxis ? "A click in the middle goes back"
+                   : tools.beforeAxis ? "A right click goes back"
                                       : "Click an axis to look along it");
-  if (!near || !ImGui::IsMouseClicked(0)) return;
-  const scene::Camera now = currentCamera(editor);
-  if (over) {
+  if (near && ImGui::IsMouseClicked(1) && tools.beforeAxis) {
+    setCamera(editor, *tools.beforeAxis, "Camera back", {});
+    tools.beforeAxis.reset();
+  }
+  if (over && ImGui::IsMouseClicked(0)) {
+    const scene::Camera now = currentCamera(editor);
     const bool there = over->depth < -0.999;  // already from that side
     if (!tools.beforeAxis) tools.beforeAxis = now;
     setCamera(editor, seenFrom(now, there ? -over->direction : over->direction), "Look along an axis", {});
-  } else if (middle && tools.beforeAxis) {
-    setCamera(editor, *tools.beforeAxis, "Camera back", {});
-    tools.beforeAxis.reset();
   }
 }
 

@@ -39,7 +39,7 @@ struct ViewportTools {
 
   ShadowPlace place;
   LightView look;
-  std::optional<scene::Camera> beforeAxis;  ///< what the middle of the axis cross goes back to
+  std::optional<scene::Camera> beforeAxis;  ///< what a right click on the axis cross goes back to
   ViewScene scene;                          ///< what is shown, and what it was made of:
   std::uint64_t sceneRevision = 0;
   std::string sceneView;

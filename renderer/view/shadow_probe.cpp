@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
@@ -55,13 +56,15 @@ class Lookups {
     glGetNamedBufferSubData(out_.id(), 0, GLsizeiptr(tau.size() * sizeof(float)), tau.data());
     return tau;
   }
-  double nanoseconds(int dispatches) {
+  /// On a CPU its own time shared out over the cores, so that other programs' work does not count; on a GPU the time that passes.
+  double nanoseconds(int dispatches, bool software) {
     if (count_ == 0) return 0;
     if (onceMs_ > kDispatchMs * dispatches * 2) return 1e6 * onceMs_ / count_;  // long enough to be its own measurement
     const auto time = [&](int repeats) {
       const Stopwatch clock;
+      const CpuStopwatch cpu;
       dispatch(0, count_, repeats);
-      return clock.ms();
+      return software ? cpu.ms() / std::max(1u, std::thread::hardware_concurrency()) : clock.ms();
     };
     int repeats = 1;
     double ms = time(repeats);
@@ -119,7 +122,7 @@ Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, 
   lookups.bind(gpu);
   ProbeResult r;
   r.error = shadowError(lookups.all(), samples.transmittance);
-  if (dispatches > 0) r.nsPerLookup = lookups.nanoseconds(dispatches);
+  if (dispatches > 0) r.nsPerLookup = lookups.nanoseconds(dispatches, gpu.device.software);
   return r;
 }
 

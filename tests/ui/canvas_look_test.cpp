@@ -70,6 +70,7 @@ TEST(CanvasLook, StatesErrorsPicturesAndCosts) {
   ui.move(ui.center("canvas"));
   ui.click("header/Broken View");
   ui.key("1");
+  ui.key("f");  // near enough to read
   ASSERT_TRUE(ui.waitRect("waits/Broken View")) << ui.trace()["rects"];
   ui.move(ui.center("waits/Broken View"));
   ASSERT_TRUE(ui.waitFor([](const json& t) {

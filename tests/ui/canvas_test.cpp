@@ -11,7 +11,7 @@ constexpr char kGraph[] = R"({
     "Box": { "type": "volume.box", "at": [0, 0], "params": { "density": 3 } },
     "Sun": { "type": "light.sun", "at": [0, 140], "params": { "elevation": 30 } },
     "Lamp": { "type": "light.point", "at": [0, 280] },
-    "Map": { "type": "shadow.extinction", "at": [300, 60], "params": { "resolution": 16 } },
+    "Map": { "type": "shadow.extinction", "at": [300, 60], "params": { "resolution": 64 } },
     "Render": { "type": "render.volume", "at": [640, 0], "params": { "samples": 1 } },
     "View": { "type": "output.view", "at": [980, 0] }
   },
@@ -370,11 +370,13 @@ TEST(Canvas, CopiesThroughTheSystemClipboardToAnotherWindow) {
   ASSERT_TRUE(first.running()) << first.log();
   UiSession second(first, 730, {1280, 720}, {graphFile().string()});
   ASSERT_TRUE(second.running()) << second.log();
+  first.focus();
   first.click("header/Sun");
   first.click(first.center("header/Map"), {"shift"});
   first.key("ctrl+c");
   ASSERT_TRUE(
       first.waitFor([](const json& t) { return t["message"].get<std::string>().starts_with("Copied"); }));
+  second.focus();
   second.move(second.emptySpot());
   second.key("ctrl+v");
   ASSERT_TRUE(second.waitFor([](const json& t) {

@@ -158,7 +158,7 @@ TEST(Navigation, ToolsOfTheViewport) {
   ASSERT_TRUE(ui.waitFor([](const json& t) { return param(t, "Camera", "eye")[0].get<double>() > 6.9; }))
       << camera();
   ui.screenshot("70-from-x");
-  ui.click("axis/back");
+  ui.click("axis/back", 3);
   ASSERT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Camera"] == start; }))
       << camera();
 

@@ -225,6 +225,12 @@ class UiSession {
     for (const std::string& k : held) input({"keyup", k});
     pause(0.15);
   }
+  /// Keys go to this window: without a window manager the one opened last keeps them.
+  void focus() const {
+    const RunResult found = run({"xdotool", "search", "--onlyvisible", "--pid", std::to_string(app_)}, 20, {display_});
+    input({"windowfocus", "--sync", found.out.substr(0, found.out.find('\n'))});
+    pause(0.2);
+  }
   void key(const std::string& name) const {
     input({"key", name});
     pause(0.15);

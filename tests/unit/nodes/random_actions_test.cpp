@@ -121,8 +121,11 @@ class Actor {
       case 32:
         for (std::size_t i = below(4); i > 0; --i) chance(2) ? document.undo() : document.redo();
         return document.undo();
-      default:
-        return document.select(some(5));
+      default: {
+        std::set<std::string> names = some(5);
+        std::erase_if(names, [&](const std::string& name) { return !g.nodes.contains(name); });
+        return document.select(std::move(names));
+      }
     }
   }
 

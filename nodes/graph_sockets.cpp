@@ -275,7 +275,7 @@ std::optional<std::string> SocketTable::refusal(const Link& link) const {
     takers.insert(takers.end(), others.begin(), others.end());
     if (!commonSource(takers))
       return fmt::format("{} takes {}, but {} already goes to {}", link.toNode, labelOf(takers.front()),
-                         link.fromNode, labelOf(others.front()));
+                         link.fromNode, labelOf(takers.back()));
   }
 
   // A path from the target back to the source would become a cycle.

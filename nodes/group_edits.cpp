@@ -58,6 +58,7 @@ std::string nodeBetween(const Graph& graph, const std::string& group) {
 
 Result<Graph> groupNodes(const Graph& graph, const std::set<std::string>& names, std::string* groupName) {
   Graph inner, outer = graph;
+  std::set<std::string> members;  // without the sockets' nodes, which may share names with nodes outside
   for (const std::string& name : names) {
     const auto it = graph.nodes.find(name);
     // The sockets of the group around it stay where they are.
@@ -65,6 +66,7 @@ Result<Graph> groupNodes(const Graph& graph, const std::set<std::string>& names,
       continue;
     inner.nodes.insert(*it);
     outer.nodes.erase(name);
+    members.insert(name);
   }
   if (inner.nodes.empty()) return fail(Code::Arguments, "no nodes to group");
   if (groupDepth(inner) >= kDeepestGroup)
@@ -76,7 +78,7 @@ Result<Graph> groupNodes(const Graph& graph, const std::set<std::string>& names,
   std::map<Socket, std::string> inputs, outputs;  // what they stand for -> name of the node
   std::vector<Link> links;
   for (const Link& link : graph.links) {
-    const bool from = inner.nodes.contains(link.fromNode), to = inner.nodes.contains(link.toNode);
+    const bool from = members.contains(link.fromNode), to = members.contains(link.toNode);
     if (from && to) {
       inner.links.push_back(link);
     } else if (to) {

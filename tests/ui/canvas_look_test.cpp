@@ -71,6 +71,8 @@ TEST(CanvasLook, StatesErrorsPicturesAndCosts) {
   ui.click("header/Broken View");
   ui.key("1");
   ui.key("f");  // near enough to read
+  ui.settle();
+  ui.screenshot("look-follower");
   ASSERT_TRUE(ui.waitRect("waits/Broken View")) << ui.trace()["rects"];
   ui.move(ui.center("waits/Broken View"));
   ASSERT_TRUE(ui.waitFor([](const json& t) {

@@ -389,7 +389,7 @@ TEST(Canvas, CopiesThroughTheSystemClipboardToAnotherWindow) {
   const json nodes = second.trace()["document"]["nodes"];
   EXPECT_NE(nodes["Sun 2"]["at"], nodes["Sun 3"]["at"])
       << "a further paste in the same place lies beside the first";
-  second.screenshot("canvas-15-two-windows");
+  first.screenshot("canvas-15-two-windows");
 }
 
 }  // namespace

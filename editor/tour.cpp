@@ -71,13 +71,13 @@ void drawCard(Editor& editor, const ImRect& place) {
   static ImVec2 size{0, 0};  // of the last frame
   ImGui::SetNextWindowPos(cardPlace(editor, place, size.x > 0 ? size : ImVec2(theme.px(380), theme.px(180))));
   ImGui::SetNextWindowSize({theme.px(380), 0});
-  ImGui::SetNextWindowFocus();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(5), theme.space(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kPopup);
   ImGui::Begin("##tour", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());  // focus would take the click from its buttons
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   ImGui::PushFont(theme.small);
@@ -128,11 +128,11 @@ void drawTour(Editor& editor) {
   // Below the card, above everything else: a window of its own.
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(display);
-  ImGui::SetNextWindowFocus();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::Begin("##tour dim", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   ImGui::PopStyleVar();
   drawFrame(editor, ImGui::GetWindowDrawList(), place);
   ImGui::End();

@@ -1,5 +1,7 @@
 #include "editor/ui_trace.h"
 
+#include <imgui_internal.h>
+
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +13,11 @@ namespace pileus::editor {
 
 UiTrace::UiTrace() {
   if (const char* path = std::getenv("PILEUS_UI_TRACE")) path_ = path;
+}
+
+void UiTrace::item(std::string name) {
+  if (on() && !ImGui::GetCurrentWindow()->Hidden)
+    rect(std::move(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
 void UiTrace::end(const Editor& editor) {

@@ -24,10 +24,9 @@ class UiTrace {
   void rect(std::string name, ImVec2 min, ImVec2 max) {
     if (on()) rects_[std::move(name)] = {min.x, min.y, max.x, max.y};
   }
-  /// The last ImGui item.
-  void item(std::string name) {
-    if (on()) rect(std::move(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-  }
+  /// The last ImGui item, if its window is shown: a window that appears is laid out unseen first, at a place
+  /// that is not yet its own.
+  void item(std::string name);
   /// A text that is on the screen ("tooltip", "status", "search/0").
   void note(std::string name, std::string text) {
     if (on()) notes_[std::move(name)] = std::move(text);

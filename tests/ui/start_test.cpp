@@ -233,9 +233,10 @@ TEST(Start, WorkSurvivesAKillAndATermination) {
     UiSession ui({1440, 900}, {}, json::object(), home);
     ASSERT_TRUE(ui.running()) << ui.log();
     ASSERT_TRUE(ui.waitRect("start/lost/0/discard"));
-    ui.settle();
     ui.click("start/lost/0/discard");
-    EXPECT_TRUE(ui.waitFor([](const json& t) { return !hasRect(t, "start/lost/0/discard"); }));
+    EXPECT_TRUE(ui.waitFor([](const json& t) { return !hasRect(t, "start/lost/0/discard"); }))
+        << ui.trace()["rects"]["start/lost/0/discard"] << ui.trace()["message"];
+    ui.screenshot("recovery-discarded");
     EXPECT_EQ(recoveryFiles(ui), 0u);
     ui.key("Escape");
     pause(0.3);

@@ -33,7 +33,7 @@
 namespace pileus::editor {
 
 /// Panels that have keys of their own; Global ones work everywhere.
-enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Timeline, Log };
+enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Log };
 
 struct Editor {
   Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)

@@ -21,7 +21,6 @@ constexpr Length kLengths[] = {
     {"scopeWidth", &PanelLayout::scopeWidth, 280, 1200},
     {"labHeight", &PanelLayout::labHeight, 160, 1000},
     {"logHeight", &PanelLayout::logHeight, 90, 800},
-    {"timelineHeight", &PanelLayout::timelineHeight, 90, 800},
 };
 
 struct Switch {
@@ -34,7 +33,6 @@ constexpr Switch kSwitches[] = {
     {"showParameters", &PanelLayout::showParameters},
     {"showScope", &PanelLayout::showScope},
     {"showLab", &PanelLayout::showLab},
-    {"showTimeline", &PanelLayout::showTimeline},
     {"showLog", &PanelLayout::showLog},
 };
 

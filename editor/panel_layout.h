@@ -17,13 +17,11 @@ struct PanelLayout {
   double scopeWidth = 420;
   double labHeight = 300;
   double logHeight = 200;
-  double timelineHeight = 180;
   bool showViewport = true;
   bool showGraph = true;
   bool showParameters = true;
   bool showScope = false;
   bool showLab = false;
-  bool showTimeline = false;
   bool showLog = false;
 
   bool operator==(const PanelLayout&) const = default;

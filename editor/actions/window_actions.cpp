@@ -16,10 +16,6 @@ template <Panel kPanel>
 bool panelShown(const Editor& e) {
   return panelOpen(e, kPanel);
 }
-template <Panel kPanel>
-bool panelThere(const Editor&) {
-  return panelInfo(kPanel).draw != nullptr;
-}
 template <std::size_t kIndex>
 void layout(Editor& e) {
   useLayout(e, builtInLayouts()[kIndex].name);
@@ -32,7 +28,7 @@ bool layoutShown(const Editor& e) {
 #define PANEL(kind, label, ...)                                                                \
   {                                                                                            \
     "view.panel_" #kind, label, "View/Panels", P::Global, {__VA_ARGS__}, togglePanel<P::kind>, \
-        panelThere<P::kind>, panelShown<P::kind>                                               \
+        nullptr, panelShown<P::kind>                                                           \
   }
 
 #define LAYOUT(index, id, label) \
@@ -44,8 +40,7 @@ const Action kActions[] = {
     PANEL(Parameters, "Parameters", alt(GLFW_KEY_3)),
     PANEL(Scope, "Ray Scope", alt(GLFW_KEY_4), shift(GLFW_KEY_S)),
     PANEL(Lab, "Lab", alt(GLFW_KEY_5)),
-    PANEL(Timeline, "Timeline", alt(GLFW_KEY_6)),
-    PANEL(Log, "Log", alt(GLFW_KEY_7), plain(GLFW_KEY_F8)),
+    PANEL(Log, "Log", alt(GLFW_KEY_6), plain(GLFW_KEY_F8)),
     LAYOUT(0, "default", "Default"),
     LAYOUT(1, "graph", "Graph"),
     LAYOUT(2, "look", "Look"),

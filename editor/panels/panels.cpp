@@ -44,7 +44,6 @@ const PanelInfo kPanels[] = {
      [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawRayScope(e, min, max); }},
     {Panel::Lab, "lab", "Lab", &PanelLayout::showLab, kBar, kBar,
      [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLab(e, min, max); }},
-    {Panel::Timeline, "timeline", "Timeline", &PanelLayout::showTimeline, 0, 0, nullptr},
     {Panel::Log, "log", "Log", &PanelLayout::showLog, kBar, kBar,
      [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLog(e, min, max); }},
 };
@@ -184,7 +183,7 @@ bool panelOpen(const Editor& editor, Panel panel) {
 
 void setPanelOpen(Editor& editor, Panel panel, bool open) {
   const PanelInfo& info = panelInfo(panel);
-  if (panel == Panel::Global || !info.draw) return;
+  if (panel == Panel::Global) return;
   editor.settings.*info.shown = open;
   if (!open && (panel == Panel::Viewport || panel == Panel::Graph))
     editor.settings.*panelInfo(panel == Panel::Viewport ? Panel::Graph : Panel::Viewport).shown = true;
@@ -219,14 +218,11 @@ void drawPanels(Editor& editor) {
   // A panel that was closed in another way while it filled the window gives it back.
   if (editor.maximised != Panel::Global && !(editor.settings.*panelInfo(editor.maximised).shown))
     editor.maximised = Panel::Global;
-  PanelLayout layout = editor.settings;
-  for (const PanelInfo& info : kPanels)
-    if (!info.draw) layout.*info.shown = false;
-  const PanelAreas areas = panelAreas(layout, editor.maximised, {0, top}, {display.x, bottom}, editor.theme);
+  const PanelAreas areas =
+      panelAreas(editor.settings, editor.maximised, {0, top}, {display.x, bottom}, editor.theme);
   Panel hovered = Panel::Global;
   for (const PanelInfo& info : kPanels)
-    if (info.draw && !areas[info.panel].empty() && drawPanel(editor, info, areas[info.panel]))
-      hovered = info.panel;
+    if (!areas[info.panel].empty() && drawPanel(editor, info, areas[info.panel])) hovered = info.panel;
   beginFixed("##status", {0, bottom}, display, kFixed);
   drawStatusLine(editor, {0, bottom}, display);
   ImGui::End();

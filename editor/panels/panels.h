@@ -16,7 +16,7 @@ struct PanelInfo {
   bool PanelLayout::*shown;
   float bar;    ///< design pixels of its own bar at the top; 0: it has none
   float inset;  ///< design pixels that the bar keeps for a button of its own at the right
-  void (*draw)(Editor&, ImVec2 min, ImVec2 max, bool hovered);  ///< null: not part of this build
+  void (*draw)(Editor&, ImVec2 min, ImVec2 max, bool hovered);
 };
 
 std::span<const PanelInfo> allPanels();

@@ -15,11 +15,11 @@ Theme scaled(float scale) {
 }
 
 constexpr Panel kAll[] = {Panel::Viewport, Panel::Graph,    Panel::Parameters, Panel::Scope,
-                          Panel::Lab,      Panel::Timeline, Panel::Log};
+                          Panel::Lab,      Panel::Log};
 
 PanelLayout everything() {
   PanelLayout all;
-  all.showScope = all.showLab = all.showTimeline = all.showLog = true;
+  all.showScope = all.showLab = all.showLog = true;
   return all;
 }
 
@@ -88,8 +88,8 @@ TEST(Layouts, AreKeptInTheSettings) {
   Settings s;
   s.theme = Appearance::Light;
   s.uiScale = 1.25;
-  s.showTimeline = s.showLab = true;
-  s.timelineHeight = 222;
+  s.showLab = true;
+  s.labHeight = 222;
   PanelLayout mine;
   mine.viewportShare = 0.7;
   mine.showParameters = false;

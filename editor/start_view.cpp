@@ -142,7 +142,8 @@ void drawLeft(Editor& editor, Choice& choice) {
   if (wideButton(editor, icon::kInfo, "Take the tour, four steps", "tour", !editor.settings.tourSeen))
     choice = [](Editor& e) { startTour(e); };
   ImGui::Dummy({0, theme.space(2)});
-  const float footer = theme.px(34);
+  const float footer =
+      ImGui::GetFrameHeight() + theme.px(2) + 2 * ImGui::GetStyle().ItemSpacing.y + theme.px(2);
   ImGui::BeginChild("recent list", {0, std::max(theme.px(60), ImGui::GetContentRegionAvail().y - footer)});
   drawRecent(editor, choice);
   ImGui::EndChild();

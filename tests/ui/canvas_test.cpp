@@ -31,11 +31,6 @@ std::filesystem::path graphFile() {
   return path;
 }
 
-bool hasLink(const json& trace, const std::string& link) {
-  for (const json& l : trace["document"]["links"])
-    if (l == link) return true;
-  return false;
-}
 bool isMuted(const json& trace, const std::string& link) {
   for (const json& l : trace["document"].value("muted", json::array()))
     if (l == link) return true;

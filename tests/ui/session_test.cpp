@@ -36,12 +36,6 @@ std::filesystem::path graphFile() {
   return path;
 }
 
-bool hasLink(const json& trace, const std::string& link) {
-  for (const json& l : trace["document"]["links"])
-    if (l == link) return true;
-  return false;
-}
-
 /// Wheel notches over the canvas, so that there is room around the nodes.
 void zoomOut(const UiSession& ui, int notches) {
   ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
@@ -270,17 +264,6 @@ TEST(Session, FaultsAreListedAndSurviveASave) {
   EXPECT_EQ(json::parse(textOf(file))["nodes"]["New"]["params"]["x"], 1);
   ui.key("ctrl+q");
   EXPECT_EQ(ui.waitExit(), 0);
-}
-
-/// Seconds of processor time a process has used.
-double cpuSeconds(pid_t pid) {
-  const std::string stat = textOf("/proc/" + std::to_string(pid) + "/stat");
-  std::istringstream fields(stat.substr(stat.rfind(')') + 2));
-  std::string skip;
-  for (int i = 0; i < 11; ++i) fields >> skip;
-  double user = 0, system = 0;
-  fields >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 TEST(Session, AFinishedPictureCostsNothing) {

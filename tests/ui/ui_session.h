@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -28,6 +29,23 @@ using nlohmann::json;
 inline std::string textOf(const std::filesystem::path& path) {
   const Result<std::string> text = readFile(path);
   return text ? *text : std::string();
+}
+
+inline bool hasLink(const json& trace, const std::string& link) {
+  for (const json& l : trace["document"]["links"])
+    if (l == link) return true;
+  return false;
+}
+
+/// Seconds of processor time a process has used.
+inline double cpuSeconds(pid_t pid) {
+  const std::string stat = textOf("/proc/" + std::to_string(pid) + "/stat");
+  std::istringstream fields(stat.substr(stat.rfind(')') + 2));
+  std::string skip;
+  for (int i = 0; i < 11; ++i) fields >> skip;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 inline void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
@@ -87,15 +105,18 @@ class UiSession {
   UiSession(const UiSession& other, int below, ivec2 size, const std::vector<std::string>& arguments)
       : screen_(other.screen_), folder_(scratchFolder()), display_(other.display_), below_(below) {
     std::filesystem::create_directories(folder_ / "config" / "pileus");
-    std::ofstream(folder_ / "config" / "pileus" / "settings.json") << json{{"window", {size.x, size.y}}, {"showStart", false}}.dump();
+    std::ofstream(folder_ / "config" / "pileus" / "settings.json")
+        << json{{"window", {size.x, size.y}}, {"showStart", false}}.dump();
     std::vector<std::string> all{PILEUS_BINARY};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    app_ = launch(all,
-                  {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1", "PILEUS_UI_TRACE=" + tracePath().string(),
-                   "XDG_CONFIG_HOME=" + (folder_ / "config").string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
-                   "XDG_STATE_HOME=" + (folder_ / "state").string(), "HOME=" + folder_.string()},
-                  folder_ / "app.log");
-    running_ = waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
+    app_ = launch(
+        all,
+        {display_, "LIBGL_ALWAYS_SOFTWARE=1", "PILEUS_UI_SCALE=1", "PILEUS_UI_TRACE=" + tracePath().string(),
+         "XDG_CONFIG_HOME=" + (folder_ / "config").string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string(),
+         "XDG_STATE_HOME=" + (folder_ / "state").string(), "HOME=" + folder_.string()},
+        folder_ / "app.log");
+    running_ =
+        waitFor([](const json& t) { return t.contains("rects") && t["rects"].contains("canvas"); }, 60);
     const RunResult found = run({"xdotool", "search", "--pid", std::to_string(app_)}, 20, {display_});
     std::string id = found.out.substr(0, found.out.find('\n'));
     input({"windowmove", id, "0", std::to_string(below)});
@@ -208,7 +229,8 @@ class UiSession {
     dragTo(from, to);
     release();
   }
-  /// With keys held down meanwhile, "ctrl", "y" ...; `during` looks at the screen before the button is released.
+  /// With keys held down meanwhile, "ctrl", "y" ...; `during` looks at the screen before the button is
+  /// released.
   void drag(Point from, Point to, const std::vector<std::string>& held, int button = 1,
             const std::function<void()>& during = {}) const {
     for (const std::string& k : held) input({"keydown", k});
@@ -227,7 +249,8 @@ class UiSession {
   }
   /// Keys go to this window: without a window manager the one opened last keeps them.
   void focus() const {
-    const RunResult found = run({"xdotool", "search", "--onlyvisible", "--pid", std::to_string(app_)}, 20, {display_});
+    const RunResult found =
+        run({"xdotool", "search", "--onlyvisible", "--pid", std::to_string(app_)}, 20, {display_});
     input({"windowfocus", "--sync", found.out.substr(0, found.out.find('\n'))});
     pause(0.2);
   }

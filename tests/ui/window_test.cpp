@@ -33,16 +33,6 @@ json settingsOf(const UiSession& ui) {
   return json::parse(textOf(ui.folder() / "config" / "pileus" / "settings.json"), nullptr, false);
 }
 
-double processorSeconds(pid_t pid) {
-  const std::string stat = textOf("/proc/" + std::to_string(pid) + "/stat");
-  std::istringstream fields(stat.substr(stat.rfind(')') + 2));
-  std::string skip;
-  for (int i = 0; i < 11; ++i) fields >> skip;
-  double user = 0, system = 0;
-  fields >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
-
 void command(const UiSession& ui, const std::string& words, const std::string& id) {
   ui.key("F3");
   ASSERT_TRUE(ui.waitRect("commands/field"));
@@ -194,9 +184,9 @@ TEST(Window, RestsWithTheDefaultPreset) {
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true; }, 200));
   pause(6);  // notices fade
-  const double before = processorSeconds(ui.process());
+  const double before = cpuSeconds(ui.process());
   pause(10);
-  const double share = (processorSeconds(ui.process()) - before) / 10;
+  const double share = (cpuSeconds(ui.process()) - before) / 10;
   RecordProperty("idle processor share", std::to_string(share));
   std::printf("idle processor share %.4f\n", share);
   EXPECT_LT(share, 0.03);

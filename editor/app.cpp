@@ -150,34 +150,33 @@ double idleSeconds(const Editor& editor, int settling) {
   return due;
 }
 
-void loop(Editor& editor) {
-  int settling = 3;  // frames after the last event: hover states and tooltips need a second look
-  while (!editor.quit) {
-    editor.window->waitEvents(idleSeconds(editor, settling));
-    const Stopwatch clock;
-    followLook(editor);
-    editor.window->beginFrame();
-    settling = editor.window->hadInput() ? 3 : std::max(0, settling - 1);
-    editor.pictures.beginFrame();
-    drawFrame(editor);
-    editor.uiMs = clock.ms() - editor.trace.ms;
-    noteEvents(editor);
-    if (editor.pictures.wantsFrame()) settling = std::max(settling, 1);
-    const bool worked = busy(editor), unfinished = !editor.preview.complete();
-    evaluate(editor);
-    // What the last step of some work has changed is drawn by one frame more.
-    if (worked || (unfinished && editor.preview.complete())) settling = std::max(settling, 1);
-    handleWindow(editor);
-    protectWork(editor);
-    editor.window->endFrame(palette::kBackground);
-    editor.trace.end(editor);
-    editor.frameMs = clock.ms();
-  }
-}
-
 }  // namespace
 
-int runEditor(const EditorOptions& options) {
+void runFrame(Editor& editor, int& settling) {
+  editor.window->waitEvents(idleSeconds(editor, settling));
+  const Stopwatch clock;
+  const ThreadStopwatch cpu;
+  followLook(editor);
+  editor.window->beginFrame();
+  settling = editor.window->hadInput() ? kSettlingFrames : std::max(0, settling - 1);
+  editor.pictures.beginFrame();
+  drawFrame(editor);
+  editor.window->finishUi();
+  editor.uiMs = cpu.ms() - editor.trace.ms;
+  noteEvents(editor);
+  if (editor.pictures.wantsFrame()) settling = std::max(settling, 1);
+  const bool worked = busy(editor), unfinished = !editor.preview.complete();
+  evaluate(editor);
+  // What the last step of some work has changed is drawn by one frame more.
+  if (worked || (unfinished && editor.preview.complete())) settling = std::max(settling, 1);
+  handleWindow(editor);
+  protectWork(editor);
+  editor.window->endFrame(palette::kBackground);
+  editor.trace.end(editor);
+  editor.frameMs = clock.ms();
+}
+
+int withEditor(const EditorOptions& options, const std::function<void(Editor&)>& use) {
   watchEndSignals();
   crash::install();
   const std::filesystem::path folder = configFolder();
@@ -209,7 +208,7 @@ int runEditor(const EditorOptions& options) {
     const gl::DeviceInfo& device = editor.renderer->device();
     crash::setDevice(device.renderer + ", " + device.version);
     beginStart(editor, options.file.empty() && editor.settings.showStart);
-    loop(editor);
+    use(editor);
     // Saved or given up, unless somebody else ended the program.
     if (endSignal() == 0) editor.recovery.discard();
     editor.settings.window = (*window)->size();
@@ -218,6 +217,13 @@ int runEditor(const EditorOptions& options) {
     setJobNotifier(nullptr);
   }
   return 0;
+}
+
+int runEditor(const EditorOptions& options) {
+  return withEditor(options, [](Editor& editor) {
+    int settling = kSettlingFrames;
+    while (!editor.quit) runFrame(editor, settling);
+  });
 }
 
 }  // namespace pileus::editor

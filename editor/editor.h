@@ -74,7 +74,7 @@ struct Editor {
   Panel hovered = Panel::Global;  ///< under the pointer: whose keys act
   Panel maximised = Panel::Global;  ///< fills the window; Global: none does
   float uiScale = 0;  ///< chosen for this session; 0: the screen's
-  double uiMs = 0;                ///< of it on the interface alone: input and drawing, traces left out
+  double uiMs = 0;                ///< CPU time of it on the interface alone, new frame to draw data, traces left out
   double frameMs = 0;             ///< of the last frame drawn, evaluation included
   bool quit = false;
 };

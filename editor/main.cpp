@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "editor/app.h"
+#include "editor/bench_window.h"
 #include "editor/cli/cli.h"
 #include "editor/keyboard.h"
 #include "renderer/volume/vdb_child.h"
@@ -17,5 +18,6 @@ int main(int argc, char** argv) {
   side.keys = [](bool markdown) {
     return markdown ? pileus::editor::keyboardMarkdown() : pileus::editor::keyboardText();
   };
+  side.measure = pileus::editor::benchWindow;
   return pileus::cli::run(argc, argv, side);
 }

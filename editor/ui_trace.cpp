@@ -21,7 +21,7 @@ void UiTrace::item(std::string name) {
 }
 
 void UiTrace::end(const Editor& editor) {
-  if (!on()) return;
+  if (path_.empty()) return;
   using nlohmann::json;
   json j;
   j["rects"] = rects_;

@@ -17,7 +17,14 @@ class UiTrace {
  public:
   /// Reads the environment.
   UiTrace();
-  bool on() const { return !path_.empty(); }
+  bool on() const { return collecting_ || !path_.empty(); }
+  /// Rectangles and notes are kept for find(), with or without a file.
+  void collect(bool on) { collecting_ = on; }
+  /// Of this frame; null: nothing has this name.
+  const std::vector<float>* find(const std::string& name) const {
+    const auto it = rects_.find(name);
+    return it == rects_.end() ? nullptr : &it->second;
+  }
   void begin() { rects_.clear(), notes_.clear(), ms = 0; }
   /// "node/Sun", "socket/Sun/out/light", "param/extinction", "menu/file.save", "search/0": a name's rectangle
   /// this frame.
@@ -38,6 +45,7 @@ class UiTrace {
 
  private:
   std::filesystem::path path_;
+  bool collecting_ = false;
   std::map<std::string, std::vector<float>> rects_;
   std::map<std::string, std::string> notes_;
   std::string last_;

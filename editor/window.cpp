@@ -258,8 +258,9 @@ void Window::beginFrame() {
   ImGui::NewFrame();
 }
 
+void Window::finishUi() { ImGui::Render(); }
+
 void Window::endFrame(unsigned clearColor) {
-  ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

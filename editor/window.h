@@ -50,11 +50,13 @@ class Window {
   void waitEvents(double seconds);
   /// Wakes waitEvents from any thread.
   static void wake();
+  void push(const InputEvent& event) { queue_.push_back(event); }  ///< as if the user had done it
   bool inputPending() const { return !queue_.empty(); }  ///< more events wait for the next frame
   bool hadInput() const { return hadInput_; }            ///< this frame got events
 
   void beginFrame();                   ///< feeds events, starts the ImGui frame
-  void endFrame(unsigned clearColor);  ///< draws it and swaps
+  void finishUi();                     ///< the frame's draw data are made
+  void endFrame(unsigned clearColor);  ///< draws them and swaps
   unsigned long long framesDrawn() const { return frames_; }
   std::span<const KeyPress> keys() const { return keys_; }
   std::vector<std::filesystem::path> takeDroppedFiles() { return std::exchange(dropped_, {}); }

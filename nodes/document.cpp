@@ -23,6 +23,8 @@ Document::Document(Graph graph, std::filesystem::path path) : path_(std::move(pa
   steps_.push_back({std::move(graph), "", {}, {}, {}, 0});
 }
 
+void Document::select(std::set<std::string> names) { selection_ = existing(graph(), std::move(names)); }
+
 bool Document::edit(Graph graph, std::string label, std::string_view mergeKey) {
   if (scope_.empty()) return editRoot(std::move(graph), std::move(label), mergeKey);
   Settings settings = std::exchange(graph.settings, {});

@@ -30,7 +30,7 @@ class Document {
   std::string scopedName(const std::string& name) const;
 
   const std::set<std::string>& selection() const { return selection_; }  ///< nodes of graph()
-  void select(std::set<std::string> names) { selection_ = std::move(names); }  ///< never an undo step
+  void select(std::set<std::string> names);  ///< those that are nodes of graph(); never an undo step
 
   /// A new step: `graph` takes the place of graph() (settings are the document's in every scope). Steps with the same non-empty mergeKey
   /// in a row become one (a drag); endMerge() closes it. A graph equal to the current one is no step.

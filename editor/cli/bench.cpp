@@ -18,6 +18,7 @@ struct Table {
 
 constexpr Table kTables[] = {
     {"first-picture", "First lit picture after start (default preset)", benchFirstPicture},
+    {"editor", "The editor's window, 1280 x 720", benchEditor},
     {"figure2", "Ray families through the real maps (figure 2 of the paper and beyond)", benchFigure2},
     {"clouds", "Every representation on 76 clouds", benchCloudField},
     {"three-clouds", "Picture and lookup: three clouds one behind the other", benchThreeClouds},
@@ -26,7 +27,8 @@ constexpr Table kTables[] = {
 
 }  // namespace
 
-int benchMain(const BenchOptions& options) {
+int benchMain(const BenchOptions& options, const std::function<int()>& window) {
+  if (options.only == kEditorChild) return window();
   if (options.only == kFirstPictureChild) return firstPictureChild();
   BenchSetup setup;
   setup.data = options.data;

@@ -1,5 +1,6 @@
 #pragma once
 // pileus bench: the tables of docs/bench.md, printed as Markdown.
+#include <functional>
 #include <string>
 
 namespace pileus::cli {
@@ -9,6 +10,7 @@ struct BenchOptions {
   std::string only;   ///< run only tables whose name contains this
 };
 
-int benchMain(const BenchOptions& options);
+/// `window`: measures in a real window; returns an exit code.
+int benchMain(const BenchOptions& options, const std::function<int()>& window);
 
 }  // namespace pileus::cli

@@ -19,6 +19,10 @@ int firstPictureChild();
 /// Mean |dT| of ray family "two" for the paper's budgets (docs/bench.md).
 Result<void> benchFigure2(const BenchSetup& setup);
 
+/// The window itself, in a process of its own: what the interface costs and how long a drag waits.
+Result<void> benchEditor(const BenchSetup& setup);
+inline constexpr const char* kEditorChild = "editor-child";
+
 /// Every representation on 76 clouds: error, memory, time.
 Result<void> benchCloudField(const BenchSetup& setup);
 /// Picture error and lookup cost on three clouds one behind the other.

@@ -172,7 +172,7 @@ int run(int argc, char** argv, const EditorSide& editor) {
     return shootoutMain(shootout);
   }
   if (*tuneCommand) return tuneMain(tune);
-  if (*benchCommand) return benchMain(bench);
+  if (*benchCommand) return benchMain(bench, editor.measure);
   return editor.open(editorFile);
 }
 

@@ -10,6 +10,7 @@ namespace pileus::cli {
 struct EditorSide {
   std::function<int(const std::filesystem::path&)> open;  ///< `pileus [FILE]`; returns the exit code
   std::function<std::string(bool markdown)> keys;         ///< `pileus keys`: the table of commands
+  std::function<int()> measure;                           ///< `pileus bench`: the rows of a real window
 };
 
 int run(int argc, char** argv, const EditorSide& editor);

@@ -149,7 +149,7 @@ void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, con
                                                    (look.slot ? std::to_string(look.slot) : std::string()));
   }
   if (!editor.trace.on()) return;
-  const Stopwatch clock;
+  const ThreadStopwatch clock;
   for (const NodePlace& place : layout.nodes) traceNode(editor, view, place);
   editor.trace.ms += clock.ms();
 }

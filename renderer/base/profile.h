@@ -23,4 +23,18 @@ class CpuStopwatch {
   std::clock_t start_ = std::clock();
 };
 
+/// CPU time of the calling thread.
+class ThreadStopwatch {
+ public:
+  double ms() const { return now() - start_; }
+
+ private:
+  static double now() {
+    timespec t{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
+  }
+  double start_ = now();
+};
+
 }  // namespace pileus

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/big_graph.h"
+#include "editor/cli/big_graph.h"
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {
@@ -105,7 +105,7 @@ TEST(CanvasLook, StatesErrorsPicturesAndCosts) {
 }
 
 TEST(CanvasLook, ArrangeAlignFindAndMap) {
-  UiSession ui({1600, 1000}, {fileOf("sixty.json", bigGraph(60)).string()});
+  UiSession ui({1600, 1000}, {fileOf("sixty.json", cli::bigGraph(60)).string()});
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitFor(done, 60)) << ui.log();
   ui.move(ui.center("canvas"));
@@ -182,35 +182,20 @@ TEST(CanvasLook, SearchKeepsOneCategory) {
   ui.key("Escape");
 }
 
-/// Milliseconds of interface work in frames drawn while the pointer wanders: median and least.
-std::pair<double, double> frameCosts(const UiSession& ui) {
-  std::vector<double> ms;
-  const json canvas = ui.trace()["rects"]["canvas"];
-  for (int i = 0; i < 24; ++i) {
-    ui.move({canvas[0].get<double>() + 60 + 31 * i, canvas[1].get<double>() + 60 + 7 * i});
-    pause(0.05);
-    if (const json t = ui.trace(); t.contains("uiMs")) ms.push_back(t["uiMs"].get<double>());
-  }
-  std::sort(ms.begin(), ms.end());
-  return ms.empty() ? std::pair(1e9, 1e9) : std::pair(ms[ms.size() / 2], ms.front());
-}
-
-TEST(CanvasLook, FiveHundredNodesAreCheap) {
-  UiSession ui({1920, 1080}, {fileOf("big.json", bigGraph(500)).string()});
+TEST(CanvasLook, FiveHundredNodes) {
+  UiSession ui({1920, 1080}, {fileOf("big.json", cli::bigGraph(500)).string()});
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitFor(done, 60)) << ui.log();
   ui.move(ui.center("canvas"));
   ui.key("a");
   ui.settle();
   ui.screenshot("look-500");
-  const auto [all, least] = frameCosts(ui);
-  std::printf("500 nodes in view: %.2f ms of interface a frame, at least %.2f ms\n", all, least);
-  EXPECT_LT(all, 1e9) << "frames were drawn";
-  ui.move(ui.center("canvas"));
-  wheel(ui, 6);
-  const auto [near, nearLeast] = frameCosts(ui);
-  std::printf("500 nodes, some in view: %.2f ms, at least %.2f ms\n", near, nearLeast);
-  EXPECT_LT(near, 1e9);
+  const auto nodesShown = [](const json& t) {
+    int count = 0;
+    for (const auto& [name, r] : t["rects"].items()) count += name.starts_with("node/");
+    return count;
+  };
+  EXPECT_EQ(nodesShown(ui.trace()), 500);
 }
 
 }  // namespace

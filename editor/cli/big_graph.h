@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace pileus::test {
+namespace pileus::cli {
 
 inline std::string bigGraph(int count) {
   using nlohmann::json;
@@ -59,4 +59,4 @@ inline std::string bigGraph(int count) {
       .dump(1);
 }
 
-}  // namespace pileus::test
+}  // namespace pileus::cli

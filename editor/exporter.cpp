@@ -2,7 +2,7 @@
 
 #include "editor/viewed_node.h"
 #include "nodes/picture_layers.h"
-#include "nodes/serialize.h"
+#include "nodes/still_metadata.h"
 #include "nodes/value.h"
 #include "renderer/image/exr.h"
 #include "renderer/view/picture.h"
@@ -57,9 +57,7 @@ std::optional<Result<std::filesystem::path>> Exporter::step() {
     return finish(fail(Code::Input, "{}: no image is linked", request_->view));
   Result<image::Image> image = view::readBack(*picture->picture);
   if (!image) return finish(image.error());
-  // A still that is dropped on the window gives its graph back.
-  image->metadata[image::kGraphAttribute] =
-      nodes::graphTextFor(request_->target, request_->graph, request_->folder);
+  image->metadata.merge(nodes::stillMetadata(request_->graph, request_->target, request_->folder));
   evaluator_.reset();  // frees its GPU memory while the file is written
   writing_ = std::make_unique<Job<bool>>(
       [target = request_->target, pixels = std::move(*image)](JobControl&) -> Result<bool> {

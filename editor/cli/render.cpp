@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
-#include <span>
 #include <thread>
 
 #include <fmt/ranges.h>
@@ -15,7 +14,7 @@
 #include "editor/cli/graph_file.h"
 #include "nodes/evaluator.h"
 #include "nodes/picture_layers.h"
-#include "nodes/serialize.h"
+#include "nodes/still_metadata.h"
 #include "renderer/base/file.h"
 #include "renderer/gl/context.h"
 #include "renderer/image/color.h"
@@ -208,10 +207,7 @@ Result<void> renderAll(const RenderOptions& o) {
     const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
     if (!image || !image->picture) return fail(Code::Input, "{}.image: no picture arrives", target);
     PILEUS_TRY(image::Image picture, view::readBack(*image->picture));
-    picture.metadata["software"] = "Pileus";
-    const std::string text = nodes::graphText(graph);
-    picture.metadata["pileus:graph"] = hashBytes(std::as_bytes(std::span(text.data(), text.size()))).hex();
-    picture.metadata["pileus:workingSpace"] = graph.settings.workingSpace;
+    picture.metadata.merge(nodes::stillMetadata(graph, path, folder));
     PILEUS_CHECK(image::writeExr(path, picture, exrOptions(graph, target)));
     if (o.png) PILEUS_CHECK(writePreview(fs::path(path).replace_extension(".png"), picture, graph, target, folder));
     progress.finish(path.string());

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "editor/cli/render.h"
+#include "nodes/serialize.h"
 #include "renderer/base/file.h"
 #include "renderer/image/exr.h"
 #include "tests/support/support.h"
@@ -48,6 +49,11 @@ TEST(Render, WritesALitPictureAndRefusesToOverwrite) {
   EXPECT_GT(centre[3], 0.5f);
   EXPECT_NEAR(picture->chromaticities.red.x, 0.713f, 1e-4f);
   EXPECT_TRUE(fs::exists(folder / "a.png"));
+  const auto about = image::readExrMetadata(out);
+  ASSERT_TRUE(about) << about.error().message;
+  const auto carried = nodes::parseGraph(about->at(image::kGraphAttribute));
+  ASSERT_TRUE(carried) << carried.error().message;
+  EXPECT_EQ(carried->graph, nodes::loadGraph(file)->graph) << "the still opens the graph it was made of";
   EXPECT_TRUE(fs::exists(folder / "s.json"));
   expectFails(test::pileus({"render", file, "-o", out}), 3, {"a.exr", "--overwrite"});
   EXPECT_EQ(test::pileus({"render", file, "-o", out, "--overwrite", "--size", "32x18"}).exitCode, 0);

@@ -19,11 +19,6 @@ json nodeRect(const UiSession& ui, const std::string& node) {
   return ui.trace()["rects"].value("node/" + node, json());
 }
 
-void wheel(const UiSession& ui, int notches) {
-  for (int i = 0; i < std::abs(notches); ++i) ui.input({"click", notches > 0 ? "4" : "5"});
-  ui.settle();
-}
-
 bool done(const json& t) { return t["complete"] == true; }
 
 constexpr char kStates[] = R"({

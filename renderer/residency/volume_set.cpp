@@ -1,6 +1,9 @@
 #include "renderer/residency/volume_set.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
+#include <map>
 
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/records.h"
@@ -9,6 +12,35 @@ namespace pileus::residency {
 namespace {
 
 static_assert(sizeof(gpu::VolumeRecord) == VOLUME_ROWS * sizeof(vec4));
+static_assert(REMAP_ENTRIES == volume::kRemapEntries);
+
+/// The buffer's texels: records, then each table once.
+class Texels {
+ public:
+  explicit Texels(std::size_t records) : texels_(records * VOLUME_ROWS) {}
+  void put(std::size_t index, const gpu::VolumeRecord& record) {
+    std::memcpy(texels_.data() + index * VOLUME_ROWS, &record, sizeof record);
+  }
+  /// Its first texel.
+  std::size_t add(const volume::DensityRemap& remap) {
+    const auto [it, isNew] = tables_.emplace(remap.content, texels_.size());
+    if (isNew) texels_.insert(texels_.end(), remap.entries.begin(), remap.entries.end());
+    return it->second;
+  }
+  std::span<const vec4> all() const { return texels_; }
+
+ private:
+  std::vector<vec4> texels_;
+  std::map<Key, std::size_t> tables_;
+};
+
+vec4 remapRow(const volume::Instance& i, Texels& texels) {
+  if (!i.remap) return vec4(-1, 0, 0, 0);
+  const double perDensity = (REMAP_ENTRIES - 1) / (i.remap->highest - i.remap->lowest);
+  const double most = std::numeric_limits<float>::max();
+  return vec4(float(texels.add(*i.remap)), float(perDensity), float(-i.remap->lowest * perDensity),
+              float(std::clamp(i.remap->emptyUpTo(), -most, most)));
+}
 
 gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
   gpu::VolumeRecord r{};
@@ -53,7 +85,7 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     instances_ = instances;
     content_ = content;
     shapes_ = 0;
-    for (const volume::Instance& i : instances_) shapes_ |= i.shape == volume::Shape::Grid ? 1 : 2;
+    for (const volume::Instance& i : instances_) shapes_ |= (i.shape == volume::Shape::Grid ? 1 : 2) | (i.remap ? 4 : 0);
     generation_ = ~std::uint64_t(0) - 1;
   }
   std::vector<volume::GridPtr> grids;
@@ -61,9 +93,13 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     if (i.grid) grids.push_back(i.grid);
   PILEUS_TRY(const Residency residency, pool.ensure(grids, ms));
   if (residency.fraction >= 1 && generation_ != pool.generation()) {
-    std::vector<gpu::VolumeRecord> records;
-    for (const volume::Instance& i : instances_) records.push_back(record(i, pool));
-    records_.assign(std::span<const gpu::VolumeRecord>(records));
+    Texels texels(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+      gpu::VolumeRecord r = record(instances_[i], pool);
+      r.remap = remapRow(instances_[i], texels);
+      texels.put(i, r);
+    }
+    records_.assign(texels.all());
     generation_ = pool.generation();
   }
   return residency;

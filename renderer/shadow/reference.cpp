@@ -10,6 +10,8 @@ using volume::Brick;
 using volume::kBrickSize;
 using volume::kStoredSize;
 
+constexpr int kRemapParts = 16;  // of a cell's stretch where densities are remapped
+
 /// Adds up depth along the segment and notes it at the wanted parameters.
 class Sum {
  public:
@@ -87,27 +89,38 @@ struct Cell {
 };
 
 /// o + t d in lattice positions of level 0; `scale` takes density per unit of t to optical depth.
-void addGrid(const volume::BrickGrid& grid, const dvec3& o, const dvec3& d, dvec2 range, double scale,
-             Sum& sum) {
+void addGrid(const volume::BrickGrid& grid, const volume::DensityRemap* remap, const dvec3& o, const dvec3& d,
+             dvec2 range, double scale, Sum& sum) {
+  const auto sigma = [&](double density) {
+    return std::max(0.0, scale * (remap ? remap->density(density) : density));
+  };
   const volume::Level& level = grid.levels.front();
   walk(o, d, range.x, range.y, kBrickSize, ivec3(0), level.bricks, [&](ivec3 at, double b0, double b1) {
     const Brick& brick = level.at(at);
-    const double base = scale * static_cast<double>(brick.offset);
+    const double offset = static_cast<double>(brick.offset);
     if (brick.payload == volume::kConstantBrick) {
+      const double base = sigma(offset);
       if (base > 0) sum.add(b0, b1, [&](double t0, double t1) { return base * (t1 - t0); });
       return;
     }
     const std::byte* payload = grid.bytes(brick).data();
-    const double gain = scale * static_cast<double>(brick.scale) / 255.0;
+    const double gain = static_cast<double>(brick.scale) / 255.0;
     const dvec3 origin = o - dvec3(at * kBrickSize);
     walk(origin, d, b0, b1, 1.0, ivec3(0), ivec3(kBrickSize), [&](ivec3 local, double c0, double c1) {
       const ivec3 s = local + volume::kApron;
       const Cell cell(payload + (s.z * kStoredSize + s.y) * kStoredSize + s.x);
       const dvec3 inCell = origin - dvec3(local);
       sum.add(c0, c1, [&](double t0, double t1) {
-        const double middle = 0.5 * (t0 + t1), half = 0.5 * (t1 - t0), g = half * 0.57735026918962576451;
-        return half * (std::max(0.0, base + gain * cell(inCell + d * (middle - g))) +
-                       std::max(0.0, base + gain * cell(inCell + d * (middle + g))));
+        // A table bends what was a cubic: parts of the cell then.
+        const int parts = remap ? kRemapParts : 1;
+        const double half = 0.5 * (t1 - t0) / parts, g = half * 0.57735026918962576451;
+        double depth = 0;
+        for (int part = 0; part < parts; ++part) {
+          const double middle = t0 + (2 * part + 1) * half;
+          depth += half * (sigma(offset + gain * cell(inCell + d * (middle - g))) +
+                           sigma(offset + gain * cell(inCell + d * (middle + g))));
+        }
+        return depth;
       });
     });
   });
@@ -140,7 +153,7 @@ double addInstance(const volume::Instance& i, const dvec3& from, const dvec3& to
   Sum sum(at, out);
   const double scale = i.medium.extinction * glm::length(to - from);
   if (i.shape == volume::Shape::Grid) {
-    addGrid(*i.grid, s.o - dvec3(i.grid->origin), s.d, s.range, scale, sum);
+    addGrid(*i.grid, i.remap.get(), s.o - dvec3(i.grid->origin), s.d, s.range, scale, sum);
   } else {
     const double depth = std::max(0.0, i.density * scale);
     sum.add(s.range.x, s.range.y, [&](double t0, double t1) { return depth * (t1 - t0); });

@@ -45,7 +45,7 @@ void addCoverage(const volume::Instance& i, const Crossing& c, std::vector<dvec2
   for (int k = 0; k <= kCoverageSteps; ++k) {
     const double x = glm::mix(c.range.x, c.range.y, (k + 0.5) / kCoverageSteps);
     const ivec3 b = ivec3(glm::floor((c.o + x * c.d - dvec3(i.grid->origin)) / double(volume::kBrickSize)));
-    const bool inside = k < kCoverageSteps && glm::all(glm::greaterThanEqual(b, ivec3(0))) && glm::all(glm::lessThan(b, level.bricks)) && level.at(b).maximum > 0;
+    const bool inside = k < kCoverageSteps && glm::all(glm::greaterThanEqual(b, ivec3(0))) && glm::all(glm::lessThan(b, level.bricks)) && volume::occupied(i, level.at(b));
     const double edge = glm::mix(c.range.x, c.range.y, double(k) / kCoverageSteps);
     if (inside && start < 0) start = edge;
     if (!inside && start >= 0) {

@@ -1,6 +1,13 @@
 #include "renderer/volume/instance.h"
 
 namespace pileus::volume {
+namespace {
+
+bool inside(const Box3& box, const dvec3& p) {
+  return glm::all(glm::greaterThanEqual(p, box.min)) && glm::all(glm::lessThanEqual(p, box.max));
+}
+
+}  // namespace
 
 Box3 localBounds(const Instance& i) {
   switch (i.shape) {
@@ -26,10 +33,18 @@ double detailSize(const Instance& i) {
   return smallest * (i.shape == Shape::Ball ? 2.0 : 1.0) / 64.0;
 }
 
-double majorant(const Instance& i) {
-  const double density = i.shape == Shape::Grid ? (i.grid ? double(i.grid->maximum) : 0.0) : i.density;
-  return std::max(0.0, density * i.medium.extinction);
+double largestDensity(const Instance& i) {
+  if (i.shape != Shape::Grid) return i.density;
+  if (!i.grid) return 0;
+  const double most = double(i.grid->maximum);
+  return i.remap ? i.remap->largest(std::min(0.0, double(i.grid->minimum)), most) : most;
 }
+
+bool occupied(const Instance& i, const Brick& brick) {
+  return double(brick.maximum) > (i.remap ? i.remap->emptyUpTo() : 0.0);
+}
+
+double majorant(const Instance& i) { return std::max(0.0, largestDensity(i) * i.medium.extinction); }
 
 Key contentKey(const InstanceList& instances) {
   Hasher h;
@@ -40,6 +55,7 @@ Key contentKey(const InstanceList& instances) {
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r) h.add(i.worldFromLocal[c][r]);
     if (i.grid) h.add(i.grid->content);
+    if (i.remap) h.add(i.remap->content);
   }
   return h.key();
 }
@@ -48,7 +64,10 @@ double sigmaAt(const Instance& i, const dvec3& world) {
   const dvec3 p = dvec3(glm::inverse(i.worldFromLocal) * dvec4(world, 1.0));
   double density = 0;
   switch (i.shape) {
-    case Shape::Grid: density = i.grid ? sampleTrilinear(*i.grid, p) : 0.0; break;
+    case Shape::Grid:
+      density = i.grid ? sampleTrilinear(*i.grid, p) : 0.0;
+      if (i.remap) density = inside(localBounds(i), p) ? i.remap->density(density) : 0.0;
+      break;
     case Shape::Box: density = glm::all(glm::lessThanEqual(glm::abs(p), dvec3(0.5))) ? i.density : 0.0; break;
     case Shape::Ball: density = glm::dot(p, p) <= 1.0 ? i.density : 0.0; break;
   }

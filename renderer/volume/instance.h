@@ -4,6 +4,7 @@
 
 #include "renderer/scene/medium.h"
 #include "renderer/volume/brick_grid.h"
+#include "renderer/volume/remap.h"
 
 namespace pileus::volume {
 
@@ -16,6 +17,7 @@ enum class Shape {
 struct Instance {
   Shape shape = Shape::Box;
   GridPtr grid;                ///< Shape::Grid only
+  RemapPtr remap;              ///< Shape::Grid only: what its densities become; null: they stay
   double density = 1;          ///< Box and Ball: the uniform density
   dmat4 worldFromLocal{1.0};   ///< affine; may mirror
   scene::Medium medium;
@@ -30,6 +32,10 @@ Box3 worldBounds(const Instance& instance);
 Box3 worldBounds(const InstanceList& instances);
 /// Metres: the smallest detail along any axis - a voxel edge, or 1/64 of an analytic shape's smallest extent.
 double detailSize(const Instance& instance);
+/// Largest density anywhere inside, as remapped.
+double largestDensity(const Instance& instance);
+/// Can there be anything in a brick of its grid?
+bool occupied(const Instance& instance, const Brick& brick);
 /// Largest sigma_t [1/m] anywhere inside.
 double majorant(const Instance& instance);
 /// Content key of everything that decides how it looks.

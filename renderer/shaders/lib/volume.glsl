@@ -1,6 +1,7 @@
 // Placed volumes and their voxels in the brick atlas.
 // llvmpipe runs both sides of every branch and tests a loop's end only after its body, so hot code here is free of branches, loops are
-// do-while, and what the scene does not hold is left out by the variant: SHAPES has bit 0 for grids and bit 1 for analytic shapes.
+// do-while, and what the scene does not hold is left out by the variant: SHAPES has bit 0 for grids, bit 1 for analytic shapes
+// and bit 2 for grids whose densities are remapped.
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"
@@ -34,7 +35,20 @@ struct VolumeRay {
   int pages;         // its first page
   float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t
   bool analytic;
+#if SHAPES & 4
+  vec4 remap;  // of the record
+#endif
 };
+
+#if SHAPES & 4
+// What a density of the voxels becomes (w), and the factor of the albedo that goes with it.
+vec4 remapped(vec4 remap, float density) {
+  float place = clamp(density * remap.y + remap.z, 0.0, float(REMAP_ENTRIES - 1));
+  int i = min(int(place), REMAP_ENTRIES - 2), texel = max(int(remap.x), 0) + i;
+  vec4 entry = mix(texelFetch(volumeTexels, texel), texelFetch(volumeTexels, texel + 1), place - float(i));
+  return remap.x < 0.0 ? vec4(vec3(1.0), density) : entry;
+}
+#endif
 
 // The mip whose voxels match a footprint [m].
 int levelFor(int v, float footprint) {
@@ -57,6 +71,9 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   r.o = lo, r.d = ld;
   r.bricks = ivec3(1);
   r.pages = 0;
+#if SHAPES & 4
+  r.remap = volumeRow(v, 13);
+#endif
   vec2 hit = intersectBox(lo, ld, boxMin.xyz, boxMax.xyz);
 #if SHAPES & 2
   if (shape.x == SHAPE_BALL) hit = intersectBall(lo, ld);
@@ -66,7 +83,12 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   ivec4 record = texelFetch(levelTexels, shape.y + level);
   // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
   float s = exp2(-float(level));
-  if (!r.analytic) r = VolumeRay((lo + 0.5) * s - 0.5, ld * s, record.xyz, record.w, r.extinction, false);
+  if (!r.analytic) {
+    r.o = (lo + 0.5) * s - 0.5;
+    r.d = ld * s;
+    r.bricks = record.xyz;
+    r.pages = record.w;
+  }
 #endif
   return hit;
 }
@@ -100,12 +122,26 @@ float sampleGrid(int v, vec3 p, int level) {
   ivec4 shape = shapeOf(v);
   level = clamp(level, shape.w, shape.z - 1);
   ivec4 record = texelFetch(levelTexels, shape.y + level);
-  VolumeRay r = VolumeRay((p + 0.5) * exp2(-float(level)) - 0.5, vec3(0.0), record.xyz, record.w, 1.0, false);
+  VolumeRay r;
+  r.o = (p + 0.5) * exp2(-float(level)) - 0.5;
+  r.bricks = record.xyz;
+  r.pages = record.w;
+  r.analytic = false;
   ivec3 b = brickAt(r.o);
-  return sampleBrick(pageOf(r, b), r.o, b);
+  float density = sampleBrick(pageOf(r, b), r.o, b);
+#if SHAPES & 4
+  density = remapped(volumeRow(v, 13), density).w;
+#endif
+  return density;
 }
 
-bool emptyPage(uvec4 page) { return page.x == PAGE_CONSTANT && page.y == 0u; }
+bool emptyPage(VolumeRay r, uvec4 page) {
+#if SHAPES & 4
+  return uintBitsToFloat(page.w) <= r.remap.w;
+#else
+  return page.x == PAGE_CONSTANT && page.y == 0u;
+#endif
+}
 
 // The t at which the ray leaves the brick around t.
 float leaveBrick(VolumeRay r, float t) {
@@ -115,7 +151,7 @@ float leaveBrick(VolumeRay r, float t) {
   return t + max(min(min(exits.x, exits.y), exits.z), 0.0);
 }
 
-bool emptyBrick(VolumeRay r, float t) { return !r.analytic && emptyPage(pageOf(r, brickAt(r.o + t * r.d))); }
+bool emptyBrick(VolumeRay r, float t) { return !r.analytic && emptyPage(r, pageOf(r, brickAt(r.o + t * r.d))); }
 
 // Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
 float emptyUntil(VolumeRay r, float t) {
@@ -126,17 +162,23 @@ float emptyUntil(VolumeRay r, float t) {
 #endif
 }
 
-// sigma_t [1/m] at t.
-float sigmaAt(VolumeRay r, float t) {
+// At t: sigma_t [1/m] (w) and the factor of the albedo.
+vec4 mediumAt(VolumeRay r, float t) {
 #if SHAPES & 1
   vec3 q = r.o + t * r.d;
   ivec3 b = brickAt(q);
-  float density = sampleBrick(pageOf(r, b), q, b);
-  return max(r.extinction * (r.analytic ? 1.0 : density), 0.0);
+  vec4 here = vec4(vec3(1.0), sampleBrick(pageOf(r, b), q, b));
+#if SHAPES & 4
+  here = remapped(r.remap, here.w);
+#endif
+  return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0)) : vec4(here.rgb, max(r.extinction * here.w, 0.0));
 #else
-  return r.extinction;
+  return vec4(vec3(1.0), r.extinction);
 #endif
 }
+
+// sigma_t [1/m] at t.
+float sigmaAt(VolumeRay r, float t) { return mediumAt(r, t).w; }
 
 // The first of the steps t0 + (i + offset) ds at or behind t, but not before i.
 int stepAtOrBehind(int i, float t, float t0, float offset, float ds) { return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6))); }

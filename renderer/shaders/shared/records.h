@@ -10,7 +10,7 @@ namespace pileus::gpu {
 #define SHAPE_BALL 2
 
 // One placed volume, VOLUME_ROWS texels of a buffer texture. Local space is index coordinates relative to the lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
-#define VOLUME_ROWS 13
+#define VOLUME_ROWS 14
 struct VolumeRecord {
   mat4 localFromWorld;
   mat4 worldFromLocal;
@@ -19,7 +19,11 @@ struct VolumeRecord {
   vec4 albedo;     // rgb; w: anisotropy g
   vec4 detail;     // x: smallest detail [m]
   ivec4 shape;     // x: SHAPE_*, y: first LevelRecord, z: number of levels, w: first resident level
+  vec4 remap;      // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d + z; w: empty up to it
 };
+
+// Tables of remapped densities follow the volume records in the same buffer: rgb factor of the albedo, w density.
+#define REMAP_ENTRIES 256
 
 // One mip level of a resident grid.
 struct LevelRecord {

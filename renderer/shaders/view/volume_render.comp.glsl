@@ -20,7 +20,7 @@ uniform int lightCount, sampleIndex, samples;  // at least one light (a black on
 uniform int solidCount;                        // drawn: the first ones
 
 // Scattering per unit length and solid angle of volume v: sigma_s p.
-vec3 scattering(vec4 albedo, float sigma, float cosine) { return sigma * albedo.rgb * phaseHg(cosine, albedo.w); }
+vec3 scattering(vec4 albedo, vec4 medium, float cosine) { return medium.w * (albedo.rgb * medium.rgb) * phaseHg(cosine, albedo.w); }
 
 #if RESUME
 // What light l sends to p, black where that is counted already or has to wait for the next dispatch.
@@ -64,7 +64,7 @@ void main() {
 
   VolumeRay rays[ACTIVE];
   vec4 albedo[ACTIVE];
-  float sigmas[ACTIVE];
+  vec4 media[ACTIVE];  // at the sample: factor of the albedo, sigma_t
   float T = 1.0, t = 0.0, next = 0.0;
   vec3 L = vec3(0.0);  // with DEPTH: sums of weight and depth, and of weight
 #if DEPTH
@@ -133,8 +133,8 @@ void main() {
           int to = stepAtOrBehind(i, empty, t, r.z, ds);
           sigma = 0.0;
           for (int k = 0; k < ACTIVE; ++k) {
-            sigmas[k] = k < count && to == i ? sigmaAt(rays[k], at) : 0.0;
-            sigma += sigmas[k];
+            media[k] = k < count && to == i ? mediumAt(rays[k], at) : vec4(vec3(1.0), 0.0);
+            sigma += media[k].w;
           }
 #if OVERFLOW
           for (int item = rest; item < range.y; ++item) {
@@ -173,12 +173,12 @@ void main() {
           // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
           float cosine = dot(towards, d);
           vec3 factor = vec3(0.0);
-          for (int k = 0; k < ACTIVE; ++k) factor += k < count ? scattering(albedo[k], sigmas[k], cosine) : vec3(0.0);
+          for (int k = 0; k < ACTIVE; ++k) factor += k < count ? scattering(albedo[k], media[k], cosine) : vec3(0.0);
 #if OVERFLOW
           for (int item = rest; item < range.y; ++item) {
             VolumeRay ray;
             vec2 hit = enterVolume(tileItem(item), eye, d, levelFor(tileItem(item), pixelAngle * t), ray);
-            if (hit.x <= t && hit.y > t) factor += scattering(albedoOf(tileItem(item)), sigmaAt(ray, at), cosine);
+            if (hit.x <= t && hit.y > t) factor += scattering(albedoOf(tileItem(item)), mediumAt(ray, at), cosine);
           }
 #endif
           source += factor * arriving;

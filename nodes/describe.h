@@ -48,6 +48,8 @@ ParamType paramType() {
   else if constexpr (std::is_same_v<M, Color>) return ParamType::Color;
   else if constexpr (std::is_same_v<M, FilePath>) return ParamType::File;
   else if constexpr (std::is_same_v<M, std::string>) return ParamType::Text;
+  else if constexpr (std::is_same_v<M, Curve>) return ParamType::Curve;
+  else if constexpr (std::is_same_v<M, Ramp>) return ParamType::Ramp;
   else {
     static_assert(DescribedEnum<M>, "a parameter enum needs enumInfo beside it");
     return ParamType::Enum;
@@ -87,6 +89,10 @@ class ParamRow {
   }
   ParamRow& soft(double lo, double hi) { return spec_->softMin = lo, spec_->softMax = hi, *this; }
   ParamRow& logarithmic() { return spec_->logarithmic = true, *this; }
+  /// Curve and Ramp: 0 .. 1 stands for densities at `input` between two other parameters.
+  ParamRow& over(std::string input, std::string lowest, std::string highest) {
+    return spec_->data = {std::move(input), std::move(lowest), std::move(highest)}, *this;
+  }
   ParamRow& socket() { return spec_->socket = true, *this; }
   ParamRow& file(std::string kinds, bool writes = false) { return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this; }
 

@@ -29,6 +29,10 @@ std::string_view typeName(ParamType type) {
       return "file";
     case ParamType::Enum:
       return "choice";
+    case ParamType::Curve:
+      return "curve";
+    case ParamType::Ramp:
+      return "colour ramp";
   }
   return "";
 }
@@ -97,10 +101,20 @@ std::vector<std::string> categories() {
 Json valueJson(const ParamValue& value) {
   return std::visit(
       [](const auto& v) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>)
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>) {
           return Json::array({v.x, v.y, v.z});
-        else
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Curve>) {
+          Json list = Json::array({std::string(enumId(v.shape))});
+          for (const dvec2& p : v.points) list.push_back(Json::array({p.x, p.y}));
+          return list;
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Ramp>) {
+          Json list = Json::array({std::string(enumId(v.shape))});
+          for (const RampStop& s : v.stops)
+            list.push_back(Json::array({s.at, s.color.x, s.color.y, s.color.z}));
+          return list;
+        } else {
           return v;
+        }
       },
       value);
 }
@@ -116,7 +130,8 @@ Json socketsJson(const std::vector<SocketSpec>& sockets, bool inputs) {
 }
 
 std::string_view typeId(ParamType type) {
-  constexpr std::string_view ids[] = {"bool", "int", "float", "vector", "color", "text", "file", "enum"};
+  constexpr std::string_view ids[] = {"bool", "int", "float", "vector", "color", "text", "file",
+                                      "enum", "curve", "ramp"};
   return ids[static_cast<std::size_t>(type)];
 }
 

@@ -56,6 +56,8 @@ Result<Graph> setKey(const Graph& graph, const std::string& name, const std::str
   // The same checks and words as for a constant.
   PILEUS_TRY(const Graph constant, setParam(graph, name, param, value));
   const Node& set = *findNode(constant, name);
+  if (constantOnly(specOf(set, param)->type))
+    return fail(Code::Arguments, "{}.{} takes no keys", name, param);
   const ParamValue checked = paramValue(set, *specOf(set, param));
   Graph result = graph;
   changeNode(result, name, [&](Node& node) {

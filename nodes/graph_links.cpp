@@ -124,6 +124,7 @@ Result<Graph> exposeParam(const Graph& graph, const std::string& name, const std
   const NodeType* type = findNodeType(node->type);
   const ParamSpec* spec = type ? type->param(param) : nullptr;
   if (!spec) return fail(Code::Arguments, "{} ({}) has no parameter '{}'", name, node->type, param);
+  if (on && constantOnly(spec->type)) return fail(Code::Arguments, "{}.{} takes no link", name, param);
   Graph result = graph;
   if (on) {
     if (!isSocket(*node, *spec)) expose(result, name, param);

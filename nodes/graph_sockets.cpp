@@ -55,12 +55,15 @@ SocketType socketType(ParamType type) {
     case ParamType::Text:
     case ParamType::File:
     case ParamType::Enum:
+    case ParamType::Curve:  // never asked: no sockets
+    case ParamType::Ramp:
       break;
   }
   return SocketType::Text;
 }
 
 bool isSocket(const Node& node, const ParamSpec& spec) {
+  if (constantOnly(spec.type)) return false;
   return spec.socket || std::find(node.expose.begin(), node.expose.end(), spec.id) != node.expose.end();
 }
 
@@ -259,6 +262,8 @@ std::optional<std::string> SocketTable::refusal(const Link& link) const {
     return fmt::format("{} has no output '{}'", link.fromNode, link.fromSocket);
   if (!toType->param(link.toSocket) && !input(link.toNode, link.toSocket))
     return fmt::format("{} has no input '{}'", link.toNode, link.toSocket);
+  if (const ParamSpec* spec = toType->param(link.toSocket); spec && constantOnly(spec->type))
+    return fmt::format("{}.{} takes no link", link.toNode, link.toSocket);
 
   const Found gives = TypeTracer::origin(*this, link.fromNode, link.fromSocket).type;
   std::vector<SocketType> takers = TypeTracer::takersOfInput(*this, link.toNode, link.toSocket);

@@ -10,12 +10,19 @@ void addParam(Hasher& hash, const ParamValue& value) {
   hash.add(value.index());
   std::visit(
       [&hash](const auto& v) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>)
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>) {
           hash.add(v.x).add(v.y).add(v.z);
-        else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>)
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>) {
           hash.add(std::string_view(v));
-        else
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Curve>) {
+          hash.add(v.shape).add(v.points.size());
+          for (const dvec2& p : v.points) hash.add(p.x).add(p.y);
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Ramp>) {
+          hash.add(v.shape).add(v.stops.size());
+          for (const RampStop& s : v.stops) hash.add(s.at).add(s.color.x).add(s.color.y).add(s.color.z);
+        } else {
           hash.add(v);
+        }
       },
       value);
 }

@@ -68,6 +68,12 @@ Result<ParamValue> convertedParam(const ParamSpec& spec, const ParamValue& value
     case ParamType::Enum:
       if (std::holds_alternative<std::string>(value)) return value;
       return mismatch(value, spec.type == ParamType::Enum ? "a choice" : "a text");
+    case ParamType::Curve:
+      if (std::holds_alternative<Curve>(value)) return value;
+      return mismatch(value, "a curve: [\"smooth\", [x, y], ...]");
+    case ParamType::Ramp:
+      if (std::holds_alternative<Ramp>(value)) return value;
+      return mismatch(value, "a ramp: [\"linear\", [position, r, g, b], ...]");
   }
   return fail(Code::Internal, "unknown parameter type");
 }
@@ -91,6 +97,10 @@ Result<ParamValue> checkedParam(const ParamSpec& spec, const ParamValue& given) 
       choices += (choices.empty() ? "" : ", ") + choice.id;
     }
     return fail(Code::Arguments, "{} is not one of {}", quoted(value), choices);
+  } else if (const auto* curve = std::get_if<Curve>(&value)) {
+    PILEUS_CHECK(checkCurve(*curve));
+  } else if (const auto* ramp = std::get_if<Ramp>(&value)) {
+    PILEUS_CHECK(checkRamp(*ramp, spec.hardMin, spec.hardMax));
   } else if (const auto* text = std::get_if<std::string>(&value)) {
     if (text->find('\0') != std::string::npos) return fail(Code::Arguments, "the text holds a zero byte");
   }

@@ -12,7 +12,15 @@ namespace pileus::nodes {
 
 class EvalContext;
 
-enum class ParamType { Bool, Int, Float, Vector, Color, Text, File, Enum };
+enum class ParamType { Bool, Int, Float, Vector, Color, Text, File, Enum, Curve, Ramp };
+
+/// Curves and ramps have neither keys nor links: they are what the file says.
+constexpr bool constantOnly(ParamType type) { return type == ParamType::Curve || type == ParamType::Ramp; }
+
+/// What a curve's or ramp's 0 .. 1 stands for: densities of the volumes at an input, between two parameters.
+struct DataRange {
+  std::string input, lowest, highest;  ///< ids; a highest of 0 is the largest density there is
+};
 
 struct Choice {
   std::string id, label, help;
@@ -24,11 +32,12 @@ struct ParamSpec {
   ParamType type = ParamType::Float;
   ParamValue fallback;             ///< the default, from the struct
   double softMin = 0, softMax = 0; ///< dragging stops here; equal: none
-  double hardMin = 0, hardMax = 0; ///< typing and files stop here; always set for Int, Float, Vector, Color
+  double hardMin = 0, hardMax = 0; ///< typing and files stop here; always set for Int, Float, Vector, Color, Ramp (its channels)
   bool logarithmic = false;        ///< drag in ratios
   std::vector<Choice> choices;     ///< Enum
   std::string fileKinds;           ///< File: "vdb", "exr"
   bool writes = false;             ///< File: an output, not an input (does not enter the content key with its stamp)
+  DataRange data;                  ///< Curve, Ramp
   bool socket = false;             ///< an input socket without being exposed
   std::function<void(void* in, const ParamValue&)> set;
 };

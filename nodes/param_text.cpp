@@ -42,6 +42,26 @@ std::optional<std::vector<double>> numbers(std::string_view text) {
   }
 }
 
+/// smooth 0 0, 1 1: the word in front, if there is one, and the numbers in groups of `size`; in JSON's quotes
+/// and brackets too.
+template <class Shape, class Add>
+Result<void> readPoints(std::string_view text, std::size_t size, Shape& shape, const Add& add) {
+  std::string plain;  // brackets and quotes only part things
+  for (const char c : text) plain += std::string_view("[]()\"").find(c) == std::string_view::npos ? c : ' ';
+  std::string_view rest = trimmed(plain);
+  if (const auto word = rest.substr(0, rest.find_first_of(" \t,;")); !word.empty() && !number(word)) {
+    const auto found = enumFromId<Shape>(word);
+    if (!found) return fail(Code::Arguments, "'{}' is no way to go from point to point", word);
+    shape = *found;
+    rest.remove_prefix(word.size());
+  }
+  const auto values = numbers(rest);
+  if (!values || values->empty() || values->size() % size != 0)
+    return fail(Code::Arguments, "'{}' is not groups of {} numbers", trimmed(text), size);
+  for (std::size_t i = 0; i < values->size(); i += size) add(values->data() + i);
+  return {};
+}
+
 }  // namespace
 
 std::string formatNumber(double value) {
@@ -77,6 +97,18 @@ Result<ParamValue> parseParam(const ParamSpec& spec, std::string_view text) {
       if (values->size() == 1) return checkedParam(spec, (*values)[0]);
       return checkedParam(spec, dvec3((*values)[0], (*values)[1], (*values)[2]));
     }
+    case ParamType::Curve: {
+      Curve curve{{}};
+      PILEUS_CHECK(readPoints(word, 2, curve.shape,
+                              [&](const double* v) { curve.points.push_back({v[0], v[1]}); }));
+      return checkedParam(spec, curve);
+    }
+    case ParamType::Ramp: {
+      Ramp ramp{{}};
+      PILEUS_CHECK(readPoints(word, 4, ramp.shape,
+                              [&](const double* v) { ramp.stops.push_back({v[0], {v[1], v[2], v[3]}}); }));
+      return checkedParam(spec, ramp);
+    }
   }
   return fail(Code::Internal, "unknown parameter type");
 }
@@ -87,6 +119,18 @@ std::string formatParam(const ParamSpec&, const ParamValue& value) {
   if (const auto* v = std::get_if<double>(&value)) return formatNumber(*v);
   if (const auto* v = std::get_if<dvec3>(&value))
     return formatNumber(v->x) + " " + formatNumber(v->y) + " " + formatNumber(v->z);
+  if (const auto* v = std::get_if<Curve>(&value)) {
+    std::string text(enumId(v->shape));
+    for (const dvec2& p : v->points)
+      text += (&p == v->points.data() ? " " : ", ") + formatNumber(p.x) + " " + formatNumber(p.y);
+    return text;
+  }
+  if (const auto* v = std::get_if<Ramp>(&value)) {
+    std::string text(enumId(v->shape));
+    for (const RampStop& s : v->stops)
+      text += (&s == v->stops.data() ? " " : ", ") + formatNumber(s.at) + " " + formatParam({}, s.color);
+    return text;
+  }
   return std::get<std::string>(value);
 }
 

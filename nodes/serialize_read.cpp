@@ -1,4 +1,5 @@
 // JSON to graph: reads what it can and reports everything that is wrong.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +55,34 @@ bool isInt(const Json& json) {
   return v >= std::numeric_limits<int>::min() && v <= std::numeric_limits<int>::max();
 }
 
+/// ["smooth", [0, 0], [1, 1]]: a word and rows of as many numbers.
+bool isPoints(const Json& json, std::size_t size) {
+  if (!json.is_array() || json.size() < 2 || !json[0].is_string()) return false;
+  return std::all_of(json.begin() + 1, json.end(), [size](const Json& row) {
+    return row.is_array() && row.size() == size &&
+           std::all_of(row.begin(), row.end(), [](const Json& v) { return v.is_number(); });
+  });
+}
+
+std::optional<ParamValue> curve(const Json& json) {
+  const auto shape = enumFromId<CurveShape>(json[0].get<std::string>());
+  Curve result{{}, shape.value_or(CurveShape::Smooth)};
+  for (std::size_t i = 1; i < json.size(); ++i)
+    result.points.push_back({json[i][0].get<double>(), json[i][1].get<double>()});
+  return shape ? std::optional<ParamValue>(result) : std::nullopt;
+}
+
+std::optional<ParamValue> ramp(const Json& json) {
+  const auto shape = enumFromId<RampShape>(json[0].get<std::string>());
+  Ramp result{{}, shape.value_or(RampShape::Linear)};
+  for (std::size_t i = 1; i < json.size(); ++i) {
+    const Json& s = json[i];
+    const dvec3 color(s[1].get<double>(), s[2].get<double>(), s[3].get<double>());
+    result.stops.push_back({s[0].get<double>(), color});
+  }
+  return shape ? std::optional<ParamValue>(result) : std::nullopt;
+}
+
 std::optional<ParamValue> constant(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (isInt(json)) return json.get<int>();
@@ -62,6 +91,8 @@ std::optional<ParamValue> constant(const Json& json) {
   if (json.is_array() && json.size() == 3 && json[0].is_number() && json[1].is_number() &&
       json[2].is_number())
     return dvec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+  if (isPoints(json, 2)) return curve(json);
+  if (isPoints(json, 4)) return ramp(json);
   return std::nullopt;
 }
 
@@ -114,6 +145,7 @@ void Reader::settings(const Json& json, Settings& out) {
 
 std::optional<Animation> Reader::animation(const std::string& where, const Json& json,
                                            const ParamSpec& spec) {
+  if (constantOnly(spec.type)) return error(where, "takes no keys"), std::nullopt;
   if (json.size() != 1 || !json["keys"].is_array() || json["keys"].empty())
     return error(where, "an animation is {\"keys\": [[frame, value, \"smooth\"], ...]}"), std::nullopt;
   Animation result;

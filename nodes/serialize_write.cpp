@@ -17,6 +17,18 @@ Json paramJson(const ParamValue& value) {
   if (const auto* v = std::get_if<double>(&value)) return numberJson(*v);
   if (const auto* v = std::get_if<dvec3>(&value))
     return Json::array({numberJson(v->x), numberJson(v->y), numberJson(v->z)});
+  if (const auto* v = std::get_if<Curve>(&value)) {
+    Json list = Json::array({std::string(enumId(v->shape))});
+    for (const dvec2& p : v->points) list.push_back(Json::array({numberJson(p.x), numberJson(p.y)}));
+    return list;
+  }
+  if (const auto* v = std::get_if<Ramp>(&value)) {
+    Json list = Json::array({std::string(enumId(v->shape))});
+    for (const RampStop& s : v->stops)
+      list.push_back(Json::array(
+          {numberJson(s.at), numberJson(s.color.x), numberJson(s.color.y), numberJson(s.color.z)}));
+    return list;
+  }
   return std::get<std::string>(value);
 }
 

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "nodes/curve.h"
 #include "renderer/base/enum_info.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/light.h"
@@ -71,7 +72,8 @@ struct ImageValue {
 using SocketValue =
     std::variant<std::monostate, VolumeValue, LightValue, MetricValue, CameraValue, SolidValue, ImageValue, double, dvec3, Color, std::string>;
 
-/// A parameter's constant: booleans, integers, numbers, vectors and colours (three numbers), texts (also file paths and enum ids).
-using ParamValue = std::variant<bool, int, double, dvec3, std::string>;
+/// A parameter's constant: booleans, integers, numbers, vectors and colours (three numbers), texts (also file paths and enum ids),
+/// curves and ramps.
+using ParamValue = std::variant<bool, int, double, dvec3, std::string, Curve, Ramp>;
 
 }  // namespace pileus::nodes

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "editor/editor.h"
 #include "editor/panels/color_picker.h"
@@ -27,7 +28,11 @@ void take(Editor& editor, const dvec3& seen) {
   dvec3 color =
       glm::clamp(glm::max(seen, dvec3(0)), dvec3(target.spec->hardMin), dvec3(target.spec->hardMax));
   for (int i = 0; i < 3; ++i) color[i] = std::round(color[i] * 1e5) / 1e5;
-  setParamValue(editor, target, color);
+  const auto into = std::exchange(editor.parameters.eyedropper.into, {});
+  changeParam(
+      editor, target,
+      [&](const nodes::ParamValue& own) -> nodes::ParamValue { return into ? into(own, color) : color; },
+      false);
   editor.parameters.eyedropper.target.reset();
 }
 

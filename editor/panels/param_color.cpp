@@ -31,6 +31,7 @@ void drawColor(const ParamWidget& w) {
   if (edit.finished) endParamEdit(editor, w.target, edit.cancelled);
   if (edit.eyedropper) {
     editor.parameters.eyedropper.target = w.target;
+    editor.parameters.eyedropper.into = {};
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

@@ -172,7 +172,7 @@ void clearAnimation(Editor& editor, const ParamTarget& target) {
           "Remove animation of " + target.title());
 }
 
-bool canExpose(const ParamSpec& spec) { return !spec.socket; }
+bool canExpose(const ParamSpec& spec) { return !spec.socket && !nodes::constantOnly(spec.type); }
 
 void toggleExposed(Editor& editor, const ParamTarget& target) {
   const bool on = !paramState(editor, target).exposed;

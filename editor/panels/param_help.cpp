@@ -38,6 +38,10 @@ std::string kindOf(const ParamSpec& s) {
       return s.fileKinds.empty() ? "file" : s.fileKinds + " file";
     case ParamType::Enum:
       return "choice";
+    case ParamType::Curve:
+      return "curve";
+    case ParamType::Ramp:
+      return "colour ramp in the working space";
   }
   return "";
 }

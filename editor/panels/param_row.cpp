@@ -65,7 +65,9 @@ bool modifiedDot(Editor& editor, const ParamTarget& target, const RowFrame& f) {
   return reset;
 }
 
-bool animatable(const ParamSpec& spec) { return spec.type != ParamType::File; }
+bool animatable(const ParamSpec& spec) {
+  return spec.type != ParamType::File && !nodes::constantOnly(spec.type);
+}
 
 /// The diamond at the right: outlined = no key, with accent = animated, filled = a key at this frame.
 void keyMark(Editor& editor, const ParamTarget& target, const ParamState& state, const RowFrame& f,
@@ -155,15 +157,17 @@ bool hoverRow(Editor& editor, const ParamTarget& target, ImVec2 lo, ImVec2 hi, b
   const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(lo, hi);
   if (!hovered) return false;
   panel.hovered = target;
-  if (ImGui::IsMouseReleased(1)) ImGui::OpenPopup("row menu");
+  if (ImGui::IsMouseReleased(1) && !panel.points.removing) ImGui::OpenPopup("row menu");
   const bool busy = ImGui::IsAnyItemActive() || panel.numbers.typing != 0;
-  const bool onLabel = ImGui::GetIO().MousePos.x < lo.x + 0.38f * (hi.x - lo.x) &&
+  const bool below = nodes::constantOnly(target.spec->type);  // the widget fills the lines under the label
+  const bool onLabel = (!below || ImGui::GetIO().MousePos.y < lo.y + ImGui::GetFrameHeight()) &&
+                       ImGui::GetIO().MousePos.x < lo.x + 0.38f * (hi.x - lo.x) &&
                        ImGui::GetIO().MousePos.x > lo.x + editor.theme.px(kSocket + kDot);
   const bool onKey = ImGui::GetIO().MousePos.x > hi.x - editor.theme.px(kKey);
   if (!busy && !onKey &&
       (onLabel ? panel.rest.short_
                : panel.rest.long_ && target.spec->type != ParamType::File &&
-                     target.spec->type != ParamType::Enum))
+                     target.spec->type != ParamType::Enum && !below))
     drawParamTooltip(editor, target);
   else if (!busy && onLabel && clipped)
     tooltip(editor.theme, target.spec->label);
@@ -172,7 +176,7 @@ bool hoverRow(Editor& editor, const ParamTarget& target, ImVec2 lo, ImVec2 hi, b
 
 }  // namespace
 
-RowFrame rowFrame(const Editor& editor, bool wide) {
+RowFrame rowFrame(const Editor& editor, bool wide, bool below) {
   const Theme& theme = editor.theme;
   RowFrame f;
   f.at = ImGui::GetCursorScreenPos();
@@ -181,7 +185,7 @@ RowFrame rowFrame(const Editor& editor, bool wide) {
   const float all = ImGui::GetContentRegionAvail().x, right = all - theme.px(kKey) - theme.px(2);
   f.widget = std::floor(std::max(f.label + theme.px(56), all * 0.40f));
   f.width = right - f.widget;
-  f.stacked = wide && f.width < theme.px(176);
+  f.stacked = below || (wide && f.width < theme.px(176));
   if (f.stacked) f.widget = f.label, f.width = right - f.label;
   return f;
 }
@@ -219,7 +223,8 @@ void drawParamRow(Editor& editor, const ParamTarget& target) {
   const ParamState state = paramState(editor, target);
   if (editor.parameters.onlyModified && !state.modified && !state.linked() && !state.exposed) return;
   ImGui::PushID(spec.id.c_str());
-  const RowFrame f = rowFrame(editor, spec.type == ParamType::Vector || spec.type == ParamType::Color);
+  const bool wide = spec.type == ParamType::Vector || spec.type == ParamType::Color;
+  const RowFrame f = rowFrame(editor, wide, nodes::constantOnly(spec.type));
   const bool lit = editor.parameters.litParam == spec.id;
   socketMark(editor, target, state, f, lit);
   const bool reset = state.modified && modifiedDot(editor, target, f);

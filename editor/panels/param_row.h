@@ -19,8 +19,8 @@ struct RowFrame {
   float widget = 0, width = 0;  ///< where the widget begins, and its width
   bool stacked = false;         ///< the widget is below the label
 };
-/// `wide` widgets go below their label where the panel is narrow.
-RowFrame rowFrame(const Editor& editor, bool wide);
+/// `wide` widgets go below their label where the panel is narrow, those of `below` always.
+RowFrame rowFrame(const Editor& editor, bool wide, bool below = false);
 /// The label in its place; true if it does not fit.
 bool rowLabel(const Editor& editor, const RowFrame& frame, const std::string& label, bool strong);
 /// Moves to where the widget goes.

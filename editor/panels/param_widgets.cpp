@@ -243,6 +243,10 @@ void drawParamWidget(const ParamWidget& w) {
       return drawFile(w);
     case ParamType::Enum:
       return drawEnum(w);
+    case ParamType::Curve:
+      return drawCurve(w);
+    case ParamType::Ramp:
+      return drawRamp(w);
   }
 }
 

@@ -23,6 +23,10 @@ NumberField numberFieldOf(const nodes::ParamSpec& spec);
 void applyNumber(const ParamWidget& w, const NumberEdit& edit, double before, double after, int axis);
 void drawThree(const ParamWidget& w, float width);
 void drawColor(const ParamWidget& w);
+/// A graph over the histogram of what comes in, the selected point's numbers and presets below.
+void drawCurve(const ParamWidget& w);
+/// A bar of colours with its stops as handles.
+void drawRamp(const ParamWidget& w);
 void drawText(const ParamWidget& w, float width);
 void drawFile(const ParamWidget& w);
 /// A name of a grid in the node's .vdb file, to choose or to type.

@@ -280,7 +280,8 @@ double helpDueIn(const Parameters& panel) {
 }
 
 bool keysAreTaken(const Parameters& panel) {
-  return panel.numbers.typing || (panel.numbers.active && panel.numbers.moved) || panel.eyedropper.target;
+  return panel.numbers.typing || (panel.numbers.active && panel.numbers.moved) || panel.eyedropper.target ||
+         panel.points.dragging;
 }
 
 bool onHoveredParam(Editor& editor, void (*run)(Editor&, const ParamTarget&)) {
@@ -295,6 +296,11 @@ void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
   Parameters& panel = editor.parameters;
   panel.min = min;
   panel.hovered.reset();
+  if (panel.points.dragging && !ImGui::IsMouseDown(0) && !ImGui::IsMouseReleased(0)) {
+    panel.points.dragging = false;  // its widget went away
+    editor.document.endMerge();
+  }
+  if (!ImGui::IsMouseDown(1) && !ImGui::IsMouseReleased(1)) panel.points.removing = false;
   panel.litParam = std::exchange(panel.nextLit, {});
   if (!panel.pinned.empty() && !editor.document.graph().nodes.contains(panel.pinned)) panel.pinned.clear();
   panel.rest.inside = ImGui::IsMouseHoveringRect(min, max, false);

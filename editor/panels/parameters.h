@@ -16,6 +16,7 @@
 #include "editor/panels/number_field.h"
 #include "editor/panels/param_edit.h"
 #include "editor/panels/param_help.h"
+#include "editor/panels/point_edit.h"
 
 namespace pileus::editor {
 
@@ -52,6 +53,8 @@ struct Parameters {
   Eyedropper eyedropper;
   FileStates files;
   GridNames grids;
+  PointEdit points;
+  DensityHistograms densities;
   HelpPage help;
 };
 

@@ -198,6 +198,10 @@ class Actor {
         return dvec3(x, 1, below(9));
       case ParamType::Enum:
         return spec.choices[below(spec.choices.size())].id;
+      case ParamType::Curve:
+        return Curve{{{0, 0.5}, {0.25 * static_cast<double>(1 + below(4)), 1}}, CurveShape::Linear};
+      case ParamType::Ramp:
+        return Ramp{{{0.5, dvec3(0.1 * static_cast<double>(below(12)))}}, RampShape::Smooth};
       default:
         return std::string(chance(2) ? "smoke.vdb" : "W\xc3\xb6lkchen \"1\"");
     }

@@ -1,5 +1,7 @@
 #include "editor/panels/data_behind.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -82,8 +84,8 @@ void drawHistogram(const ParamWidget& w, const DataBehind& data, ImVec2 lo, ImVe
 void drawRange(const ParamWidget& w, const DataBehind& data, float width) {
   const Theme& theme = w.editor.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const std::string left = numberText(data.lowest, false);
-  const std::string right = data.highest ? numberText(*data.highest, false) : "largest density";
+  const std::string left = fmt::format("{:.4g}", data.lowest);
+  const std::string right = data.highest ? fmt::format("{:.4g}", *data.highest) : "largest density";
   const std::string middle = w.target.spec->data.input.empty() ? "" : "density in";
   ImDrawList* draw = ImGui::GetWindowDrawList();
   drawText(draw, theme.small, {at.x, at.y}, palette::kTextFaint, left, 0.4f * width);

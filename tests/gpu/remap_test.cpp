@@ -1,4 +1,5 @@
 // Remapped densities on the GPU: against the CPU's, against closed forms, and what is skipped as empty.
+#include <algorithm>
 #include <random>
 
 #include "renderer/shaders/shared/bindings.h"
@@ -181,6 +182,34 @@ TEST(Remap, ColoursScatterByDensity) {
     ASSERT_NEAR(r[3], w[3], 1e-6) << "extinction stays";
   }
   EXPECT_GT(lit, 0.05);
+}
+
+TEST(Remap, PausesAndOverlapsLeaveNoTrace) {
+  // Tables of their own, one of them a colour, and a shape and a plain grid among them: more than march
+  // together.
+  volume::InstanceList volumes;
+  for (int k = 0; k < 7; ++k) {
+    volume::Instance i = blobs(2);
+    i.worldFromLocal = glm::translate(dmat4(1.0), dvec3(0.02 * k, 0, 0.01 * k)) * i.worldFromLocal;
+    if (k > 0) i.remap = table(0, 1, [k](double u) { return k % 2 ? 1 - u : u * u; });
+    volumes.push_back(i);
+  }
+  volumes.push_back(test::box({0, 0, 0}, {0.5, 0.5, 0.5}, 0.4));
+  view::RenderOptions o;
+  o.size = ivec2(24);
+  o.samples = 1;
+  o.camera.eye = {0.3, 0.2, 4};
+  const auto picture = [&](int pauseAfter) {
+    view::VolumeRenderPass pass(o, volumes, marched(volumes));
+    pass.pauseAfter(pauseAfter);
+    while (pass.step(test::renderer().gpu(), 0).value() < 1) {
+    }
+    return view::readBack(*pass.picture()).value();
+  };
+  test::renderer();
+  const image::Image whole = picture(view::MarchBudget::kNever);
+  EXPECT_LT(largestDifference(whole, picture(300)), 1e-5);
+  EXPECT_GT(*std::max_element(whole.layers[0].pixels.begin(), whole.layers[0].pixels.end()), 0.3f);
 }
 
 TEST(Remap, AnotherCurveUploadsNoBricks) {

@@ -80,7 +80,8 @@ std::span<const Action> allActions() {
   static const std::vector<Action> all = [] {
     std::vector<Action> joined;
     for (const auto part : {fileActions(), editActions(), graphActions(), lookActions(), numberedActions(),
-                            viewportActions(), cameraActions(), displayActions(), parameterActions(), windowActions(), viewActions(), helpActions()})
+                            viewportActions(), cameraActions(), displayActions(), parameterActions(),
+                            timelineActions(), windowActions(), viewActions(), helpActions()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

@@ -14,6 +14,7 @@
 #include "editor/panels/panels.h"
 #include "editor/panels/region_view.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/playback.h"
 #include "editor/viewport/shadow_place.h"
 #include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
@@ -51,6 +52,7 @@ PreviewRequest previewRequest(const Editor& editor) {
   if (linkedCamera(editor, request.view).empty()) request.freeCamera = editor.viewport.freeCamera;
   request.folder = editor.document.path().parent_path();
   applyLightView(editor, request);
+  request.frame = editor.frame;
   request.layer = editor.viewport.mode.layer;
   request.region = wantedRegion(editor);
   request.draftMs = editor.settings.draftMs;
@@ -79,6 +81,7 @@ void evaluate(Editor& editor) {
 void drawFrame(Editor& editor) {
   editor.trace.begin();
   handleKeys(editor);
+  stepPlayback(editor);
   drawPanels(editor);
   editor.browser.draw(editor);
   drawStart(editor);
@@ -138,6 +141,7 @@ bool busy(const Editor& editor) {
 double idleSeconds(const Editor& editor, int settling) {
   if (settling > 0 || editor.window->inputPending()) return 0;
   if (busy(editor)) return 0;
+  if (const double due = playbackDueIn(editor); due >= 0) return due;
   if (displayWantsFrame(editor)) return 0.004;
   if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
   if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks

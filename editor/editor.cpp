@@ -47,6 +47,8 @@ bool tryEditRoot(Editor& editor, Result<nodes::Graph> root, const std::string& l
 
 void documentReplaced(Editor& editor) {
   editor.canvas = Canvas{};
+  editor.timeline = Timeline{};
+  editor.frame = editor.document.root().settings.frames.x;
   editor.parameters = Parameters{};
   editor.viewport.activeView.clear();
   editor.viewport.freeCamera.reset();

@@ -24,6 +24,7 @@
 #include "editor/start_view.h"
 #include "editor/theme.h"
 #include "editor/graph_pictures.h"
+#include "editor/timeline.h"
 #include "editor/tour.h"
 #include "editor/ui_trace.h"
 #include "editor/window.h"
@@ -33,7 +34,7 @@
 namespace pileus::editor {
 
 /// Panels that have keys of their own; Global ones work everywhere.
-enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Log };
+enum class Panel { Global, Viewport, Graph, Parameters, Scope, Lab, Log, Timeline };
 
 struct Editor {
   Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme)
@@ -57,6 +58,7 @@ struct Editor {
   Lab lab;
   LogPanel logPanel;
   Canvas canvas;
+  Timeline timeline;
   Parameters parameters;
   FileBrowser browser;
   Dialogs dialogs;

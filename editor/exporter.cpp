@@ -43,6 +43,7 @@ std::optional<Result<std::filesystem::path>> Exporter::step() {
   settings.size = request_->graph.settings.size;
   settings.freeCamera = request_->freeCamera;
   settings.folder = request_->folder;
+  settings.frame = request_->frame;
   settings.extra = nodes::wantedLayers(request_->graph, request_->view);
   const nodes::EvalReport report = evaluator_->evaluate(request_->graph, {request_->view}, settings);
   fraction_ = report.fraction;

@@ -16,6 +16,7 @@ struct ExportRequest {
   std::string view;                      ///< the output node whose image is written
   std::filesystem::path target, folder;  ///< folder: base of relative file parameters
   std::optional<scene::Camera> freeCamera;
+  int frame = 1;
 };
 
 class Exporter {

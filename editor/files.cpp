@@ -208,6 +208,7 @@ void askExport(Editor& editor) {
   request.done = [&editor, view](const fs::path& path) {
     ExportRequest wanted{editor.document.root(), view, path, editor.document.path().parent_path(), {}};
     if (linkedCamera(editor, view).empty()) wanted.freeCamera = editor.viewport.freeCamera;
+    wanted.frame = editor.frame;
     editor.exporter.start(std::move(wanted));
   };
   editor.browser.open(editor, std::move(request));

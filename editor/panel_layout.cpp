@@ -21,6 +21,7 @@ constexpr Length kLengths[] = {
     {"scopeWidth", &PanelLayout::scopeWidth, 280, 1200},
     {"labHeight", &PanelLayout::labHeight, 160, 1000},
     {"logHeight", &PanelLayout::logHeight, 90, 800},
+    {"timelineHeight", &PanelLayout::timelineHeight, 90, 800},
 };
 
 struct Switch {
@@ -34,6 +35,7 @@ constexpr Switch kSwitches[] = {
     {"showScope", &PanelLayout::showScope},
     {"showLab", &PanelLayout::showLab},
     {"showLog", &PanelLayout::showLog},
+    {"showTimeline", &PanelLayout::showTimeline},
 };
 
 PanelLayout graphLayout() {

@@ -17,12 +17,14 @@ struct PanelLayout {
   double scopeWidth = 420;
   double labHeight = 300;
   double logHeight = 200;
+  double timelineHeight = 190;
   bool showViewport = true;
   bool showGraph = true;
   bool showParameters = true;
   bool showScope = false;
   bool showLab = false;
   bool showLog = false;
+  bool showTimeline = false;
 
   bool operator==(const PanelLayout&) const = default;
 };

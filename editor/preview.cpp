@@ -16,7 +16,8 @@ constexpr double kDraftPatienceMs = 400;  // then a newer request replaces an un
 
 bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
   return a.revision == b.revision && a.view == b.view && a.size == b.size && a.freeCamera == b.freeCamera &&
-         a.folder == b.folder && a.layer == b.layer && a.region == b.region;
+         a.folder == b.folder && a.frame == b.frame &&
+         a.layer == b.layer && a.region == b.region;
 }
 
 bool makesPictures(const nodes::Node& node) {
@@ -66,6 +67,7 @@ void Preview::step(const PreviewRequest& wanted) {
   }
   lastStepMs_ = 0;
   if (current_.view.empty() || current_.size.x < 1 || current_.size.y < 1) {
+    if (!complete_) ++answered_;
     complete_ = true;
     error_.clear();
     forgetPicture();
@@ -79,6 +81,7 @@ void Preview::step(const PreviewRequest& wanted) {
   settings.freeCamera = current_.freeCamera;
   settings.folder = current_.folder;
   settings.budgetMs = currentIsDraft_ ? std::max(kDraftBudgetMs, current_.draftMs) : kBudgetMs;
+  settings.frame = current_.frame;
   settings.layer = current_.layer;
   settings.region = current_.region;
   settings.draftPixels = draftPixels_;
@@ -87,6 +90,7 @@ void Preview::step(const PreviewRequest& wanted) {
   const bool first = report_.fraction == 0;
   report_ = evaluator_.evaluate(current_.graph, {current_.view}, settings);
   complete_ = report_.complete;
+  if (complete_) ++answered_;
   lastStepMs_ = clock.ms();
   stepsMs_ += lastStepMs_;
   if (!currentIsDraft_ && complete_) fast_ = first && lastStepMs_ < kBudgetMs;

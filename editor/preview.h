@@ -23,6 +23,7 @@ struct PreviewRequest {
   ivec2 size{0};
   std::optional<scene::Camera> freeCamera;
   std::filesystem::path folder;
+  int frame = 1;
   view::PictureLayer layer;
   view::PictureRegion region;
   double draftMs = 60;  ///< what a draft may take
@@ -52,6 +53,9 @@ class Preview {
   std::string waitingFor() const;
   /// Why there is no new picture; "" = nothing failed. The node is the one that caused it.
   const std::string& error() const { return error_; }
+  /// Of the picture last begun, and how many requests have been answered, drafts included.
+  int frame() const { return current_.frame; }
+  std::uint64_t answered() const { return answered_; }
   double lastStepMs() const { return lastStepMs_; }
   /// Of the last whole draft; total 0: there was none.
   const DraftTimes& draftTimes() const { return draftTimes_; }
@@ -86,6 +90,7 @@ class Preview {
   bool currentIsDraft_ = false, fresh_ = true;
   bool fast_ = false;  ///< the last final picture took less than one budget: no drafts are needed
   double lastStepMs_ = 0;
+  std::uint64_t answered_ = 0;
 };
 
 }  // namespace pileus::editor

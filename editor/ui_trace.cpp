@@ -38,6 +38,9 @@ void UiTrace::end(const Editor& editor) {
   j["complete"] = editor.preview.settled();
   j["error"] = editor.preview.error();
   j["exporting"] = editor.exporter.active();
+  j["frame"] = editor.frame;
+  j["pictureFrame"] = editor.preview.frame();
+  j["playing"] = editor.timeline.clock.direction();
   j["message"] = editor.messages.text();
   std::string text = j.dump(1, ' ', false, json::error_handler_t::replace);
   if (text == last_) return;

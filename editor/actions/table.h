@@ -23,6 +23,7 @@ std::span<const Action> viewportActions();
 std::span<const Action> cameraActions();
 std::span<const Action> displayActions();
 std::span<const Action> parameterActions();
+std::span<const Action> timelineActions();
 std::span<const Action> windowActions();
 std::span<const Action> viewActions();
 std::span<const Action> helpActions();

@@ -60,10 +60,13 @@ PanelAreas panelAreas(const PanelLayout& layout, Panel maximised, vec2 lo, vec2 
   float wanted = 0;
   if (layout.showLog) wanted += theme.px(static_cast<float>(layout.logHeight)) + d.gap;
   if (layout.showLab) wanted += theme.px(static_cast<float>(layout.labHeight)) + d.gap;
+  if (layout.showTimeline) wanted += theme.px(static_cast<float>(layout.timelineHeight)) + d.gap;
   const float height = hi.y - lo.y, spare = std::max(height - theme.px(kLeastMiddle), 0.55f * height);
   const float share = std::min(1.0f, spare / std::max(wanted, 1.0f));
   if (layout.showLog) d.bottom(room, Panel::Log, "splitter/log", &PanelLayout::logHeight, share);
   if (layout.showLab) d.bottom(room, Panel::Lab, "splitter/lab", &PanelLayout::labHeight, share);
+  if (layout.showTimeline)
+    d.bottom(room, Panel::Timeline, "splitter/timeline", &PanelLayout::timelineHeight, share);
   if (layout.showParameters)
     d.right(room, Panel::Parameters, "splitter/parameters", &PanelLayout::parametersWidth, 240);
   if (layout.showScope) d.right(room, Panel::Scope, "splitter/scope", &PanelLayout::scopeWidth, 280);

@@ -17,6 +17,7 @@
 #include "editor/panels/parameters.h"
 #include "editor/panels/ray_scope.h"
 #include "editor/panels/status.h"
+#include "editor/panels/timeline_panel.h"
 #include "editor/panels/viewport.h"
 #include "editor/panels/viewport_camera.h"
 #include "editor/toasts.h"
@@ -46,6 +47,8 @@ const PanelInfo kPanels[] = {
      [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLab(e, min, max); }},
     {Panel::Log, "log", "Log", &PanelLayout::showLog, kBar, kBar,
      [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLog(e, min, max); }},
+    {Panel::Timeline, "timeline", "Timeline", &PanelLayout::showTimeline, kBar, kBar,
+     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawTimeline(e, min, max); }},
 };
 
 constexpr ImGuiWindowFlags kFixed =

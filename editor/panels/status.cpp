@@ -10,6 +10,7 @@
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
 #include "editor/panels/log.h"
+#include "editor/playback.h"
 #include "editor/widgets.h"
 #include "renderer/view/picture.h"
 
@@ -46,6 +47,15 @@ std::string pictureText(const Editor& editor) {
   if (picture->samples > 0)
     text += fmt::format(", {} sample{}", picture->samples, picture->samples == 1 ? "" : "s");
   return text;
+}
+
+/// Only what is not as it should be: pictures that come slower than the document asks for.
+std::string playText(const Editor& editor) {
+  const PlayClock& clock = editor.timeline.clock;
+  const double wanted = editor.document.root().settings.fps;
+  const double reached = reachedFps(editor);
+  if (!clock.playing() || reached > 0.9 * wanted) return {};
+  return fmt::format("Plays {:.0f} of {:g} fps   ", reached, wanted);
 }
 
 void drawExport(Editor& editor, ImVec2 min, ImVec2 max) {
@@ -149,7 +159,7 @@ void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(min, max, palette::kBar);
   const std::vector<NodeTime> times = nodeTimes(editor);
-  std::string text;
+  std::string text = playText(editor);
   for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i)
     text += times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + "   ";
   text += pictureText(editor) + "   frame " + ms(editor.frameMs);

@@ -1,0 +1,11 @@
+#pragma once
+// The lower part of the timeline: the ruler with the playhead, and the rows of keys with their gestures.
+#include <imgui.h>
+
+namespace pileus::editor {
+
+struct Editor;
+
+void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max);
+
+}  // namespace pileus::editor

@@ -1,0 +1,138 @@
+// The timeline in a real window: scrubbing, keys, playing, range and speed.
+#include "tests/ui/ui_session.h"
+
+namespace pileus::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kSettings[] = R"("settings": { "frames": [1, 48], "fps": 24 })";
+
+fs::path graphFile() {
+  const fs::path file = scratchFolder() / "timeline.json";
+  std::ofstream(file) << R"({ "pileus": 1, )" << kSettings << R"(, "links": [], "nodes": {
+    "Box": { "type": "volume.box", "at": [0, 0], "params": { "density": { "keys": [
+      [1, 1, "linear"], [25, 4, "linear"] ] } } },
+    "Sun": { "type": "light.sun", "at": [260, 0] } } })";
+  return file;
+}
+
+const json kOpen = {{"showTimeline", true}};
+
+struct Rect {
+  double left, top, right, bottom;
+};
+Rect rectOf(const UiSession& ui, const std::string& name) {
+  ui.waitRect(name, 10);
+  const json r = ui.trace()["rects"][name];
+  return {r[0].get<double>(), r[1].get<double>(), r[2].get<double>(), r[3].get<double>()};
+}
+
+TEST(TimelineWindow, ScrubbingShowsAnotherFrameAndChangesNothing) {
+  UiSession ui({1440, 900}, {graphFile().string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitRect("timeline/ruler"));
+  EXPECT_EQ(ui.trace()["frame"], 1);
+  const Rect ruler = rectOf(ui, "timeline/ruler");
+  const double y = 0.5 * (ruler.top + ruler.bottom);
+  ui.drag({ruler.left + 60, y}, {0.5 * (ruler.left + ruler.right), y});
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["frame"] > 15 && t["frame"] == t["pictureFrame"]; }))
+      << ui.trace()["frame"];
+  EXPECT_FALSE(ui.trace()["dirty"].get<bool>());
+  EXPECT_EQ(ui.trace()["undo"], "");
+  const int frame = ui.trace()["frame"];
+  ui.key("period");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["frame"] == frame + 1; }));
+  ui.key("comma");
+  ui.key("comma");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["frame"] == frame - 1; }));
+  ui.key("Home");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["frame"] == 1; }));
+  ui.key("greater");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["frame"] == 25; })) << "the next key";
+  ui.screenshot("timeline");
+}
+
+TEST(TimelineWindow, KeysAreDraggedSetAndDeletedInOneStepEach) {
+  UiSession ui({1440, 900}, {graphFile().string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  const Point key = ui.center("key/Box.density/25");
+  const Rect first = rectOf(ui, "key/Box.density/1");
+  const double perFrame = (key.x - 0.5 * (first.left + first.right)) / 24;
+  ui.drag(key, {key.x + 5 * perFrame, key.y});
+  EXPECT_TRUE(ui.waitRect("key/Box.density/30", 5));
+  EXPECT_EQ(ui.trace()["undo"], "Move key");
+  ui.key("ctrl+z");
+  EXPECT_TRUE(ui.waitRect("key/Box.density/25", 5));
+  EXPECT_EQ(ui.trace()["undo"], "") << "the whole drag was one step";
+
+  ui.key("i");
+  ui.key("period");
+  ui.key("i");
+  EXPECT_TRUE(ui.waitRect("key/Box.density/2", 5)) << "I over the timeline";
+  ui.click("key/Box.density/2");
+  ui.screenshot("timeline_keys");
+  ui.key("Delete");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("key/Box.density/2"); }, 5));
+  EXPECT_EQ(ui.trace()["undo"], "Delete key");
+
+  ui.click("key/Box.density/25", 3);
+  ui.click("timeline/menu/constant");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == "Interpolate key"; }, 5));
+}
+
+TEST(TimelineWindow, PlaysInRealTimeAndStops) {
+  UiSession ui({1440, 900}, {graphFile().string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.click("timeline/play");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 1; }));
+  // Frames since one that was seen, the loop counted.
+  const auto now = [] { return std::chrono::steady_clock::now(); };
+  const int from = ui.trace()["frame"];
+  const auto start = now();
+  pause(1.2);
+  const int to = ui.trace()["frame"];
+  const double seconds = std::chrono::duration<double>(now() - start).count();
+  const double frames = (to - from + 48) % 48, expected = std::fmod(seconds * 24, 48);
+  EXPECT_NEAR(frames, expected, 6) << "after " << seconds << " s";
+  EXPECT_FALSE(ui.trace()["dirty"].get<bool>());
+  EXPECT_EQ(ui.trace()["undo"], "");
+  ui.move(ui.center("timeline/ruler"));
+  ui.key("k");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 0; }));
+  ui.settle();
+  const int stopped = ui.trace()["frame"];
+  pause(1);
+  const double before = cpuSeconds(ui.process());
+  pause(3);
+  EXPECT_LT((cpuSeconds(ui.process()) - before) / 3, 0.03) << "the window sleeps";
+  EXPECT_EQ(ui.trace()["frame"], stopped);
+  ui.key("j");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == -1; }));
+  ui.key("l");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 1; }));
+}
+
+TEST(TimelineWindow, RangeAndSpeedAreTyped) {
+  UiSession ui({1440, 900}, {graphFile().string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  const auto enter = [&](const std::string& rect, const std::string& text) {
+    ui.click(ui.center(rect), {"ctrl"});
+    pause(0.2);
+    ui.type(text);
+    ui.key("Return");
+  };
+  enter("timeline/end", "72");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["settings"]["frames"] == json{1, 72}; }, 5))
+      << ui.trace()["document"]["settings"];
+  enter("timeline/fps", "30");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["settings"]["fps"] == 30; }, 5));
+  ui.key("ctrl+z");
+  ui.key("ctrl+z");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == ""; }, 5)) << "one step each";
+  enter("timeline/frame", "12");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["frame"] == 12; }, 5));
+}
+
+}  // namespace
+}  // namespace pileus::test

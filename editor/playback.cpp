@@ -31,7 +31,8 @@ void goToKey(Editor& editor, int direction) {
   const std::vector<AnimatedRow> rows = keyRows(editor.document.graph(), editor.document.selection());
   // Keys between whole frames: the frame they belong to, but always onwards.
   const std::optional<double> key = keyBeside(rows, editor.frame, direction);
-  if (!key) return editor.messages.note(direction < 0 ? "No key before this frame" : "No key after this frame");
+  if (!key)
+    return editor.messages.note(direction < 0 ? "No key before this frame" : "No key after this frame");
   goToFrame(editor, static_cast<int>(direction < 0 ? std::floor(*key) : std::ceil(*key)));
 }
 

@@ -95,7 +95,7 @@ struct Timeline {
   Drag drag = Drag::None;
   bool moved = false;  ///< the drag has left the place where it began
   double fromX = 0, fromY = 0;
-  nodes::Graph before;        ///< the graph when the keys' drag began
+  nodes::Graph before;  ///< the graph when the keys' drag began
   KeySelection beforeSelected;
 };
 

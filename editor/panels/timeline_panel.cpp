@@ -82,8 +82,8 @@ void transport(Editor& editor) {
 }
 
 /// A label and a number after it; the cursor stays on the line.
-NumberEdit labelled(Editor& editor, const char* id, const char* label, double& value, const NumberField& field,
-                    float width, const char* help) {
+NumberEdit labelled(Editor& editor, const char* id, const char* label, double& value,
+                    const NumberField& field, float width, const char* help) {
   const Theme& theme = editor.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float name = textWidth(theme.small, label);
@@ -96,8 +96,7 @@ NumberEdit labelled(Editor& editor, const char* id, const char* label, double& v
       numberField(editor.timeline.numbers, theme, trace.c_str(), value, field, theme.px(width));
   editor.trace.item(trace);
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) tooltip(theme, help);
-  ImGui::SetCursorScreenPos(
-      {at.x + name + theme.space(1.5f) + theme.px(width) + theme.space(3), at.y});
+  ImGui::SetCursorScreenPos({at.x + name + theme.space(1.5f) + theme.px(width) + theme.space(3), at.y});
   return edit;
 }
 
@@ -121,7 +120,8 @@ void fields(Editor& editor) {
   if (labelled(editor, "frame", "Frame", frame, frameField(), 66, "The current frame (, and . step)").changed)
     goToFrame(editor, static_cast<int>(frame));
   double first = range.x;
-  const NumberEdit start = labelled(editor, "start", "Start", first, frameField(), 66, "First frame of the range");
+  const NumberEdit start =
+      labelled(editor, "start", "Start", first, frameField(), 66, "First frame of the range");
   const int x = static_cast<int>(first);
   applySetting(editor, start, nodes::setFrameRange(graph, {x, std::max(x, range.y)}), "Set first frame");
   double last = range.y;

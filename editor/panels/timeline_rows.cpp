@@ -31,7 +31,8 @@ struct Rows {
   int count() const { return static_cast<int>(rows.size()) + 1; }
 };
 
-std::string frameText(double frame) { return fmt::format("{:g}", frame); }
+/// Adding 0 makes -0 a 0.
+std::string frameText(double frame) { return fmt::format("{:g}", frame + 0.0); }
 
 void drawBackground(const Rows& r) {
   const nodes::Settings& s = r.editor.document.root().settings;
@@ -68,7 +69,8 @@ void drawNames(const Rows& r) {
   for (int i = 0; i < r.count(); ++i) {
     const float y = r.middle(i);
     if (y < r.top - r.row || y > r.max.y + r.row) continue;
-    if (i % 2) r.draw->AddRectFilled({r.min.x, y - 0.5f * r.row}, {r.max.x, y + 0.5f * r.row}, palette::kRowAlt);
+    if (i % 2)
+      r.draw->AddRectFilled({r.min.x, y - 0.5f * r.row}, {r.max.x, y + 0.5f * r.row}, palette::kRowAlt);
     const std::string name = i == 0 ? "All keys"
                                     : r.rows[static_cast<std::size_t>(i - 1)].node + " \xc2\xb7 " +
                                           r.rows[static_cast<std::size_t>(i - 1)].param;
@@ -92,7 +94,8 @@ void drawKeys(const Rows& r) {
       if (!r.editor.trace.on()) continue;
       const float size = r.theme.px(5);
       r.editor.trace.rect(fmt::format("key/{}.{}/{:g}", row.node, row.param, k.frame),
-                          {r.x(k.frame) - size, r.middle(i) - size}, {r.x(k.frame) + size, r.middle(i) + size});
+                          {r.x(k.frame) - size, r.middle(i) - size},
+                          {r.x(k.frame) + size, r.middle(i) + size});
     }
   }
   r.draw->PopClipRect();
@@ -162,7 +165,8 @@ void beginDrag(const Rows& r) {
 
 void drag(const Rows& r) {
   const ImGuiIO& io = ImGui::GetIO();
-  const double dx = static_cast<double>(io.MousePos.x) - r.t.fromX, dy = static_cast<double>(io.MousePos.y) - r.t.fromY;
+  const double dx = static_cast<double>(io.MousePos.x) - r.t.fromX,
+               dy = static_cast<double>(io.MousePos.y) - r.t.fromY;
   if (!r.t.moved && std::max(std::abs(dx), std::abs(dy)) < static_cast<double>(r.theme.px(3))) return;
   r.t.moved = true;
   if (r.t.drag == Timeline::Drag::Keys) {
@@ -251,14 +255,23 @@ void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max) {
   if (!t.fitted) t.scale.fit(editor.document.root().settings.frames), t.fitted = true;
   t.scale.left = static_cast<double>(left);
   t.scale.right = std::max(static_cast<double>(max.x), t.scale.left + 1);
-  Rows r{editor, t, theme, ImGui::GetWindowDrawList(),
+  Rows r{editor,
+         t,
+         theme,
+         ImGui::GetWindowDrawList(),
          keyRows(editor.document.graph(), editor.document.selection()),
-         min, max, left, min.y + theme.px(kRuler), theme.px(kRow)};
+         min,
+         max,
+         left,
+         min.y + theme.px(kRuler),
+         theme.px(kRow)};
   checkSelection(r);
   scrollRows(r);
   r.draw->PushClipRect(min, max, true);
   drawBackground(r);
-  if (!r.rows.empty()) drawNames(r), drawKeys(r);
+  drawPlayhead(r);  // below the keys, so that those at this frame are seen
+  if (!r.rows.empty())
+    drawNames(r), drawKeys(r);
   else
     drawText(r.draw, theme.small, {left + theme.space(4), r.top + theme.space(3)}, palette::kTextDim,
              editor.document.selection().empty()
@@ -267,7 +280,6 @@ void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max) {
              max.x - left - theme.space(6));
   ruler(r);
   keyGestures(r);
-  drawPlayhead(r);
   r.draw->PopClipRect();
 }
 

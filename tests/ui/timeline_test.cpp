@@ -123,7 +123,11 @@ TEST(TimelineWindow, RangeAndSpeedAreTyped) {
     ui.key("Return");
   };
   enter("timeline/end", "72");
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["settings"]["frames"] == json{1, 72}; }, 5))
+  EXPECT_TRUE(ui.waitFor(
+      [](const json& t) {
+        return t["document"]["settings"]["frames"] == json{1, 72};
+      },
+      5))
       << ui.trace()["document"]["settings"];
   enter("timeline/fps", "30");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["settings"]["fps"] == 30; }, 5));

@@ -39,7 +39,8 @@ TEST(Timeline, KeysArePickedByRowAndNearestFrame) {
   const std::vector<AnimatedRow> rows = {row("A", {1, 10}), row("B", {10, 11})};
   EXPECT_EQ(keysAt(rows, 1, 10.4, 1), (KeySelection{{"A", "x", 10}}));
   EXPECT_EQ(keysAt(rows, 2, 10.6, 1), (KeySelection{{"B", "x", 11}}));
-  EXPECT_EQ(keysAt(rows, 0, 10.1, 1), (KeySelection{{"A", "x", 10}, {"B", "x", 10}})) << "the summary holds all";
+  EXPECT_EQ(keysAt(rows, 0, 10.1, 1), (KeySelection{{"A", "x", 10}, {"B", "x", 10}}))
+      << "the summary holds all";
   EXPECT_TRUE(keysAt(rows, 1, 5, 1).empty());
   EXPECT_EQ(keysAt(rows, 2, 10.5, 1).size(), 1u) << "between two frames: one of them";
 }

@@ -35,7 +35,7 @@ void handleKeys(Editor& editor) {
   if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening || editor.canvas.find.opening) return;
   for (const KeyPress& key : editor.window->keys()) {
     // Esc ends what is going on before it pauses anything.
-    if (editor.canvas.interaction.busy() || editor.canvas.interaction.armed || keysAreTaken(editor.parameters) || editor.tour.on()) continue;
+    if (editor.canvas.interaction.busy() || editor.canvas.interaction.armed || editor.timeline.drag != Timeline::Drag::None || keysAreTaken(editor.parameters) || editor.tour.on()) continue;
     if (editor.parameters.help.open() && key.key == kEscape) continue;
     if (key.key == kEscape && (cancelRegion(editor) || escapeViewport(editor))) continue;
     if (viewportHoldsKeys(editor)) continue;

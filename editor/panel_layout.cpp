@@ -56,13 +56,20 @@ PanelLayout compareLayout() {
   return p;
 }
 
+PanelLayout animateLayout() {
+  PanelLayout p;
+  p.showTimeline = true;
+  return p;
+}
+
 }  // namespace
 
 std::span<const NamedLayout> builtInLayouts() {
-  static const std::array<NamedLayout, 4> all = {NamedLayout{"Default", PanelLayout{}},
+  static const std::array<NamedLayout, 5> all = {NamedLayout{"Default", PanelLayout{}},
                                                  {"Graph", graphLayout()},
                                                  {"Look", lookLayout()},
-                                                 {"Compare", compareLayout()}};
+                                                 {"Compare", compareLayout()},
+                                                 {"Animate", animateLayout()}};
   return all;
 }
 

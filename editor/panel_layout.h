@@ -35,7 +35,7 @@ struct NamedLayout {
   bool operator==(const NamedLayout&) const = default;
 };
 
-/// Default, Graph, Look, Compare: always there, never changed.
+/// Default, Graph, Look, Compare, Animate: always there, never changed.
 std::span<const NamedLayout> builtInLayouts();
 /// Of the user's own first, then of the built-in ones; null: there is none of that name.
 const NamedLayout* findLayout(std::span<const NamedLayout> own, std::string_view name);

@@ -17,13 +17,13 @@ void previousKey(Editor& e) { goToKey(e, -1); }
 
 const Action kActions[] = {
     {"timeline.play", "Play or Pause", "View/Animation", P::Global, {}, togglePlay, nullptr, playing},
-    {"timeline.next", "Next Frame", "View/Animation", P::Global, {plain(GLFW_KEY_PERIOD)}, next},
-    {"timeline.previous", "Previous Frame", "View/Animation", P::Global, {plain(GLFW_KEY_COMMA)}, previous},
-    {"timeline.next_key", "Next Key", "View/Animation", P::Global, {shift(GLFW_KEY_PERIOD)}, nextKey},
+    {"timeline.next", "Next Frame", "View/Animation", P::Timeline, {plain(GLFW_KEY_PERIOD), plain(GLFW_KEY_RIGHT)}, next},
+    {"timeline.previous", "Previous Frame", "View/Animation", P::Timeline, {plain(GLFW_KEY_COMMA), plain(GLFW_KEY_LEFT)}, previous},
+    {"timeline.next_key", "Next Key", "View/Animation", P::Timeline, {shift(GLFW_KEY_PERIOD)}, nextKey},
     {"timeline.previous_key",
      "Previous Key",
      "View/Animation",
-     P::Global,
+     P::Timeline,
      {shift(GLFW_KEY_COMMA)},
      previousKey},
     {"timeline.play_back",

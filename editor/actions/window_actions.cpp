@@ -46,6 +46,7 @@ const Action kActions[] = {
     LAYOUT(1, "graph", "Graph"),
     LAYOUT(2, "look", "Look"),
     LAYOUT(3, "compare", "Compare"),
+    LAYOUT(4, "animate", "Animate"),
     {"view.maximise",
      "Maximise Panel",
      "View",

@@ -102,8 +102,15 @@ NumberEdit labelled(Editor& editor, const char* id, const char* label, double& v
 
 /// Steps of one drag are one; Esc gives back what was there.
 void applySetting(Editor& editor, const NumberEdit& edit, Result<nodes::Graph> graph, const char* label) {
+  std::optional<nodes::Settings>& before = editor.parameters.settingsBefore;
+  if (edit.dragging && !before) before = editor.document.graph().settings;
   if (edit.changed) tryEdit(editor, std::move(graph), label, edit.dragging ? label : "");
-  if (edit.finished) editor.document.endMerge();
+  if (edit.cancelled && before) {
+    nodes::Graph old = editor.document.graph();
+    old.settings = *before;
+    tryEdit(editor, std::move(old), label, label);
+  }
+  if (edit.finished) before.reset(), editor.document.endMerge();
 }
 
 NumberField frameField() {

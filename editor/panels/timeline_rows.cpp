@@ -163,8 +163,15 @@ void beginDrag(const Rows& r) {
   if (!picked.empty()) beginKeyMove(r.editor);
 }
 
+/// Esc: as if it had not begun.
+void cancelDrag(const Rows& r) {
+  if (r.t.drag == Timeline::Drag::Keys) moveSelectedKeys(r.editor, 0), endKeyMove(r.editor);
+  r.t.drag = Timeline::Drag::None;
+}
+
 void drag(const Rows& r) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return cancelDrag(r);
   const double dx = static_cast<double>(io.MousePos.x) - r.t.fromX,
                dy = static_cast<double>(io.MousePos.y) - r.t.fromY;
   if (!r.t.moved && std::max(std::abs(dx), std::abs(dy)) < static_cast<double>(r.theme.px(3))) return;

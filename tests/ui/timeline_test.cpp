@@ -1,4 +1,6 @@
 // The timeline in a real window: scrubbing, keys, playing, range and speed.
+#include "renderer/image/exr.h"
+#include "renderer/image/metrics.h"
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {
@@ -86,15 +88,19 @@ TEST(TimelineWindow, PlaysInRealTimeAndStops) {
   ASSERT_TRUE(ui.running()) << ui.log();
   ui.click("timeline/play");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 1; }));
-  // Frames since one that was seen, the loop counted.
+  // Frames since one that was seen, the loop counted. A busy machine may show one late, but not every time.
   const auto now = [] { return std::chrono::steady_clock::now(); };
-  const int from = ui.trace()["frame"];
-  const auto start = now();
-  pause(1.2);
-  const int to = ui.trace()["frame"];
-  const double seconds = std::chrono::duration<double>(now() - start).count();
-  const double frames = (to - from + 48) % 48, expected = std::fmod(seconds * 24, 48);
-  EXPECT_NEAR(frames, expected, 6) << "after " << seconds << " s";
+  double off = 48;
+  for (int attempt = 0; attempt < 4 && off > 6; ++attempt) {
+    const int from = ui.trace()["frame"];
+    const auto start = now();
+    pause(1.2);
+    const int to = ui.trace()["frame"];
+    const double seconds = std::chrono::duration<double>(now() - start).count();
+    off = std::abs((to - from + 48) % 48 - std::fmod(seconds * 24, 48));
+    off = std::min(off, 48 - off);
+  }
+  EXPECT_LE(off, 6) << "frames ahead or behind";
   EXPECT_FALSE(ui.trace()["dirty"].get<bool>());
   EXPECT_EQ(ui.trace()["undo"], "");
   ui.move(ui.center("timeline/ruler"));
@@ -136,6 +142,57 @@ TEST(TimelineWindow, RangeAndSpeedAreTyped) {
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == ""; }, 5)) << "one step each";
   enter("timeline/frame", "12");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["frame"] == 12; }, 5));
+}
+
+TEST(TimelineWindow, EscTakesADragBack) {
+  UiSession ui({1440, 900}, {graphFile().string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  const Point key = ui.center("key/Box.density/25");
+  ui.press(key);
+  ui.dragTo(key, {key.x + 120, key.y});
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("key/Box.density/25"); }, 5));
+  ui.key("Escape");
+  EXPECT_TRUE(ui.waitRect("key/Box.density/25", 5));
+  ui.input({"mouseup", "1"});
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == ""; }, 5)) << ui.trace()["undo"];
+}
+
+TEST(TimelineWindow, APictureOfItsFrameIsExported) {
+  const fs::path folder = scratchFolder(), file = folder / "moving.json";
+  std::ofstream(file) << R"({ "pileus": 1, "settings": { "size": [64, 36], "frames": [1, 48] }, "nodes": {
+    "Box": { "type": "volume.box", "at": [0, 0], "params": { "density": { "keys": [
+      [1, 0.2, "linear"], [25, 6, "linear"] ] } } },
+    "Sun": { "type": "light.sun", "at": [0, 200] },
+    "Map": { "type": "shadow.extinction", "at": [260, 100], "params": { "resolution": 64 } },
+    "Render": { "type": "render.volume", "at": [520, 0], "params": { "samples": 2 } },
+    "View": { "type": "output.view", "at": [780, 0] } },
+    "links": [ "Box.volume -> Map.volumes", "Sun.light -> Map.light", "Box.volume -> Render.volumes",
+               "Map.light -> Render.lights", "Render.image -> View.image" ] })";
+  UiSession ui({1440, 900}, {file.string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.move(ui.center("timeline/ruler"));
+  ui.key("greater");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["frame"] == 25 && t["complete"] == true; }, 60));
+  ui.screenshot("timeline-picture");
+  ui.key("ctrl+e");
+  ASSERT_TRUE(ui.waitRect("browser/name"));
+  ui.type((folder / "window.exr").string());
+  ui.key("Return");
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["message"].get<std::string>().starts_with("Exported"); }, 60))
+      << ui.trace()["message"];
+  const auto render = [&](const std::string& frame) {
+    const fs::path out = folder / ("frame" + frame + ".exr");
+    const RunResult r = pileus({"render", file, "-o", out, "--frames", frame});
+    EXPECT_EQ(r.exitCode, 0) << r.err;
+    return image::readExr(out);
+  };
+  const auto window = image::readExr(folder / "window.exr"), at25 = render("25"), at1 = render("1");
+  ASSERT_TRUE(window && at25 && at1);
+  const auto same = image::compare(*window, *at25), other = image::compare(*window, *at1);
+  ASSERT_TRUE(same && other);
+  EXPECT_LT(same->maximum, 1e-3) << "the picture of frame 25";
+  EXPECT_GT(other->maximum, 0.02) << "and not that of frame 1";
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ struct Line {
 /// One labelled number; true if it changed.
 bool drawLine(Editor& editor, Line& line, ColorEdit& edit, std::optional<double>* kelvin = nullptr) {
   const Theme& theme = editor.theme;
-  const float label = theme.px(74);
+  const float label = theme.px(86);
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
   ImGui::TextUnformatted(line.label);

@@ -35,7 +35,9 @@ void handleKeys(Editor& editor) {
   if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening || editor.canvas.find.opening) return;
   for (const KeyPress& key : editor.window->keys()) {
     // Esc ends what is going on before it pauses anything.
-    if (editor.canvas.interaction.busy() || editor.canvas.interaction.armed || editor.timeline.drag != Timeline::Drag::None || keysAreTaken(editor.parameters) || editor.tour.on()) continue;
+    if (editor.canvas.interaction.busy() || editor.canvas.interaction.armed ||
+        editor.timeline.drag != Timeline::Drag::None || keysAreTaken(editor.parameters) || editor.tour.on())
+      continue;
     if (editor.parameters.help.open() && key.key == kEscape) continue;
     if (key.key == kEscape && (cancelRegion(editor) || escapeViewport(editor))) continue;
     if (viewportHoldsKeys(editor)) continue;
@@ -141,8 +143,8 @@ bool busy(const Editor& editor) {
 double idleSeconds(const Editor& editor, int settling) {
   if (settling > 0 || editor.window->inputPending()) return 0;
   if (busy(editor)) return 0;
-  if (const double due = playbackDueIn(editor); due >= 0) return due;
   if (displayWantsFrame(editor)) return 0.004;
+  if (const double due = playbackDueIn(editor); due >= 0) return due;
   if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
   if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
   if (editor.viewport.wheelEdit) return 0.25;

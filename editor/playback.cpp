@@ -72,8 +72,8 @@ void stepPlayback(Editor& editor) {
     if (editor.preview.answered() != editor.timeline.answered) clock.shown(now);
     editor.timeline.answered = editor.preview.answered();
   }
+  if (frame != editor.frame) editor.preview.touch();
   editor.frame = frame;
-  editor.preview.touch();
 }
 
 double playbackDueIn(const Editor& editor) {

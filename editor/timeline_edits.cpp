@@ -58,6 +58,8 @@ void beginKeyMove(Editor& editor) {
 
 void moveSelectedKeys(Editor& editor, double frames) {
   Timeline& t = editor.timeline;
+  if (t.beforeSelected.empty()) return;
+  if (t.selected.begin()->frame == t.beforeSelected.begin()->frame + frames) return;  // there already
   // From where all began, so that keys that were passed on the way stay what they were.
   if (!tryEdit(editor, nodes::moveKeys(t.before, movesBy(t.beforeSelected, frames)),
                "Move " + keysText(t.beforeSelected.size()), kMove))

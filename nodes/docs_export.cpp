@@ -5,11 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "nodes/node_type.h"
+#include "nodes/serialize_json.h"
 
 namespace pileus::nodes {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered = nlohmann::ordered_json;
 
 std::string_view typeName(ParamType type) {
   switch (type) {
@@ -98,31 +99,10 @@ std::vector<std::string> categories() {
   return list;
 }
 
-Json valueJson(const ParamValue& value) {
-  return std::visit(
-      [](const auto& v) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>) {
-          return Json::array({v.x, v.y, v.z});
-        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Curve>) {
-          Json list = Json::array({std::string(enumId(v.shape))});
-          for (const dvec2& p : v.points) list.push_back(Json::array({p.x, p.y}));
-          return list;
-        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Ramp>) {
-          Json list = Json::array({std::string(enumId(v.shape))});
-          for (const RampStop& s : v.stops)
-            list.push_back(Json::array({s.at, s.color.x, s.color.y, s.color.z}));
-          return list;
-        } else {
-          return v;
-        }
-      },
-      value);
-}
-
-Json socketsJson(const std::vector<SocketSpec>& sockets, bool inputs) {
-  Json list = Json::array();
+Ordered socketsJson(const std::vector<SocketSpec>& sockets, bool inputs) {
+  Ordered list = Ordered::array();
   for (const SocketSpec& s : sockets) {
-    Json json = {{"id", s.id}, {"label", s.label}, {"type", s.any ? "any" : std::string(enumId(s.type))}, {"help", s.help}};
+    Ordered json = {{"id", s.id}, {"label", s.label}, {"type", s.any ? "any" : std::string(enumId(s.type))}, {"help", s.help}};
     if (inputs) json["many"] = s.many, json["required"] = s.required;
     list.push_back(std::move(json));
   }
@@ -135,11 +115,11 @@ std::string_view typeId(ParamType type) {
   return ids[static_cast<std::size_t>(type)];
 }
 
-Json paramJson(const ParamSpec& p) {
-  Json json = {{"id", p.id},
+Ordered paramJson(const ParamSpec& p) {
+  Ordered json = {{"id", p.id},
                {"label", p.label},
                {"type", std::string(typeId(p.type))},
-               {"default", valueJson(p.fallback)},
+               {"default", paramJson(p.fallback)},
                {"unit", p.unit},
                {"help", p.help}};
   if (hasRange(p)) {
@@ -147,7 +127,7 @@ Json paramJson(const ParamSpec& p) {
     if (p.softMin < p.softMax) json["softRange"] = {p.softMin, p.softMax};
   }
   if (!p.choices.empty()) {
-    json["choices"] = Json::array();
+    json["choices"] = Ordered::array();
     for (const Choice& c : p.choices)
       json["choices"].push_back({{"id", c.id}, {"label", c.label}, {"help", c.help}});
   }
@@ -176,9 +156,9 @@ std::string nodesMarkdown() {
 }
 
 std::string nodesJson() {
-  Json list = Json::array();
+  Ordered list = Ordered::array();
   for (const NodeType& type : allNodeTypes()) {
-    Json params = Json::array();
+    Ordered params = Ordered::array();
     for (const ParamSpec& p : type.params) params.push_back(paramJson(p));
     list.push_back({{"id", type.id},
                     {"version", type.version},
@@ -191,7 +171,7 @@ std::string nodesJson() {
                     {"params", std::move(params)},
                     {"outputs", socketsJson(type.outputs, false)}});
   }
-  return Json{{"nodes", std::move(list)}}.dump(2) + "\n";
+  return Ordered{{"nodes", std::move(list)}}.dump(2) + "\n";
 }
 
 std::string nodesText() {

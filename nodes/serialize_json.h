@@ -1,5 +1,5 @@
 #pragma once
-// JSON as graph files have it; private to serialize*.cpp.
+// JSON as graph files have it; private to serialize*.cpp and docs_export.cpp.
 #include <nlohmann/json.hpp>
 
 #include "nodes/serialize.h"
@@ -15,6 +15,9 @@ Result<Json> parseJson(std::string_view text, std::vector<Fault>& faults);
 /// Two-space indent; a list of numbers (with texts among them) on one line; shortest round-trip numbers; ends
 /// with a line break.
 std::string writeJson(const Json& json);
+
+/// A parameter's constant as a file has it.
+Json paramJson(const ParamValue& value);
 
 /// Graph to and from JSON, without settings for the clipboard.
 Json graphJson(const Graph& graph, bool withSettings);

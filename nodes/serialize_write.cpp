@@ -11,6 +11,8 @@ Json numberJson(double value) {
   return std::isfinite(value) ? Json(value) : Json(0);
 }
 
+}  // namespace
+
 Json paramJson(const ParamValue& value) {
   if (const auto* v = std::get_if<bool>(&value)) return *v;
   if (const auto* v = std::get_if<int>(&value)) return *v;
@@ -31,6 +33,8 @@ Json paramJson(const ParamValue& value) {
   }
   return std::get<std::string>(value);
 }
+
+namespace {
 
 Json animationJson(const Animation& animation) {
   Json keys = Json::array();

@@ -4,10 +4,8 @@
 
 #include <random>
 
-#include "renderer/residency/volume_set.h"
-#include "renderer/shaders/shared/bindings.h"
 #include "renderer/volume/brick_builder.h"
-#include "tests/support/gpu.h"
+#include "tests/support/grid_samples.h"
 
 namespace pileus {
 namespace {
@@ -35,25 +33,7 @@ std::vector<float> sampleOnGpu(const volume::GridPtr& grid, const std::vector<ve
   volume::Instance instance;
   instance.shape = volume::Shape::Grid;
   instance.grid = grid;
-  residency::VolumeSet set;
-  view::Renderer& r = test::renderer();
-  while (set.prepare(r.bricks(), {instance}, 1e12)->fraction < 1) {
-  }
-  auto program = r.shaders().program({"test/sample_grid.comp.glsl"});
-  EXPECT_TRUE(program);
-  gl::Buffer in, out;
-  in.assign(std::span<const vec4>(positions));
-  out.reserve(positions.size() * sizeof(float));
-  (*program)->use();
-  set.bind(r.bricks(), **program);
-  in.bindStorage(BIND_TEST_IN);
-  out.bindStorage(BIND_TEST_OUT);
-  (*program)->set("count", int(positions.size()));
-  glDispatchCompute(GLuint((positions.size() + 63) / 64), 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  std::vector<float> values(positions.size());
-  glGetNamedBufferSubData(out.id(), 0, GLsizeiptr(values.size() * sizeof(float)), values.data());
-  return values;
+  return test::sampledOnGpu(instance, positions);
 }
 
 void check(const std::string& name, const openvdb::FloatGrid& grid) {

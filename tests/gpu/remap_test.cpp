@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <random>
 
-#include "renderer/shaders/shared/bindings.h"
 #include "renderer/shadow/reference.h"
 #include "tests/support/gpu.h"
+#include "tests/support/grid_samples.h"
 #include "tests/support/noise_grid.h"
 
 namespace pileus {
@@ -17,29 +17,6 @@ constexpr int kEdge = 80;
 volume::Instance blobs(double extinction) {
   static const volume::GridPtr grid = test::gridOf(kEdge, test::blobs);
   return test::gridInstance(grid, kEdge, extinction);
-}
-
-/// The shader's own sampler at positions relative to the lattice; w: the level.
-std::vector<float> sampled(const volume::Instance& instance, const std::vector<vec4>& positions) {
-  residency::VolumeSet set;
-  view::Renderer& r = test::renderer();
-  while (set.prepare(r.bricks(), {instance}, 1e12)->fraction < 1) {
-  }
-  auto program = r.shaders().program({"test/sample_grid.comp.glsl"}, {{"SHAPES", set.shapes()}});
-  EXPECT_TRUE(program);
-  gl::Buffer in, out;
-  in.assign(std::span<const vec4>(positions));
-  out.reserve(positions.size() * sizeof(float));
-  (*program)->use();
-  set.bind(r.bricks(), **program);
-  in.bindStorage(BIND_TEST_IN);
-  out.bindStorage(BIND_TEST_OUT);
-  (*program)->set("count", int(positions.size()));
-  glDispatchCompute(GLuint((positions.size() + 63) / 64), 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  std::vector<float> values(positions.size());
-  glGetNamedBufferSubData(out.id(), 0, GLsizeiptr(values.size() * sizeof(float)), values.data());
-  return values;
 }
 
 constexpr int kSize = 64;  // pixels no larger than voxels: the finest level is seen
@@ -79,11 +56,11 @@ TEST(Remap, SamplesAreThoseOfTheCpu) {
   std::vector<vec4> at;
   for (int i = 0; i < 20000; ++i) at.push_back(vec4(u(rng), u(rng), u(rng), 0));
   const volume::Instance plain = blobs(1);
-  const auto densities = sampled(plain, at);
+  const auto densities = test::sampledOnGpu(plain, at);
   for (const volume::RemapPtr& remap : curves) {
     volume::Instance i = plain;
     i.remap = remap;
-    const auto values = sampled(i, at);
+    const auto values = test::sampledOnGpu(i, at);
     double worst = 0;
     // Of the density the GPU itself sees: an edge of the table would magnify what its filter rounds.
     for (std::size_t k = 0; k < at.size(); ++k)

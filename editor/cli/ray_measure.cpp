@@ -22,20 +22,20 @@ Result<RayError> measure(const shadow::Gpu& gpu, const RayScene& scene, const sc
                          const std::shared_ptr<const shadow::ShadowMap>& map) {
   shadow::ShadowMap lit = *map;
   lit.light = light;
-  PILEUS_TRY(const std::vector<float> tau, view::lookupTau(gpu, lit, scene.positions));
+  PILEUS_TRY(const std::vector<float> mapped, view::lookupTransmittance(gpu, lit, scene.positions));
   struct Sum {
     double square = 0, worst = 0;
     std::size_t n = 0;
   };
   std::vector<Sum> perRay(std::size_t(scene.rays), Sum{});
   RayError error;
-  for (std::size_t i = 0; i < tau.size(); ++i) {
-    const double d = std::abs(std::exp(-double(tau[i])) - scene.transmittance[i]);
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    const double d = std::abs(double(mapped[i]) - scene.transmittance[i]);
     Sum& s = perRay[std::size_t(scene.positions[i].w)];
     s.square += d * d;
     s.worst = std::max(s.worst, d);
     ++s.n;
-    error.mean += d / double(tau.size());
+    error.mean += d / double(mapped.size());
   }
   std::vector<double> worst;
   for (const Sum& s : perRay) {

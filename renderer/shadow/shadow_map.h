@@ -1,5 +1,5 @@
 #pragma once
-// A light's shadow: what a representation left behind for lookupTau, or the volumes to march through.
+// A light's shadow: what a representation left behind for lookupTransmittance, or the volumes to march through.
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/pseudometric_map.h"
 #include "renderer/shadow/shadowed_light.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The lights of one pass and all that lib/light_tau.glsl reads for them: their records, the volumes their
+// The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes their
 // shadows march through and the solids that block them. GL thread.
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
@@ -24,7 +24,7 @@ class LightSet {
   std::size_t drawnSolids() const { return drawnSolids_; }
   /// Error (Input) if there are more lights than a dispatch can hold.
   Result<void> check() const;
-  /// Variant constants of lib/light_tau.glsl, those of the map lookup included.
+  /// Variant constants of lib/light_transmittance.glsl, those of the map lookup included.
   gl::Defines defines() const;
   /// Records (made anew: maps may have moved), lists and the maps themselves to their binding points. At
   /// least one light is bound, a black one if need be.

@@ -130,8 +130,8 @@ Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& l
   if (!marched) {
     std::vector<vec4> positions;
     for (const double x : probe.x) positions.push_back(vec4(vec3(glm::mix(segment.from, segment.to, x)), 0));
-    PILEUS_TRY(const std::vector<float> tau, lookupTau(gpu, map, positions));
-    for (const float t : tau) probe.mapped.push_back(std::exp(-double(t)));
+    PILEUS_TRY(const std::vector<float> mapped, lookupTransmittance(gpu, map, positions));
+    probe.mapped.assign(mapped.begin(), mapped.end());
     probe.taps = shadow::readTaps(map, at.face, uv);
     measure(probe);
   }

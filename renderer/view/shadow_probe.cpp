@@ -52,9 +52,9 @@ class Lookups {
     const Stopwatch clock;
     for (int first = 0; first < count_; first += kChunk) dispatch(first, std::min(first + kChunk, count_));
     onceMs_ = clock.ms();
-    std::vector<float> tau(std::size_t(count_), 0.0f);
-    glGetNamedBufferSubData(out_.id(), 0, GLsizeiptr(tau.size() * sizeof(float)), tau.data());
-    return tau;
+    std::vector<float> transmittance(std::size_t(count_), 0.0f);
+    glGetNamedBufferSubData(out_.id(), 0, GLsizeiptr(transmittance.size() * sizeof(float)), transmittance.data());
+    return transmittance;
   }
   /// On a CPU its own time shared out over the cores, so that other programs' work does not count; on a GPU the time that passes.
   double nanoseconds(int dispatches, bool software) {
@@ -94,19 +94,19 @@ class Lookups {
 
 }  // namespace
 
-Result<std::vector<float>> lookupTau(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions) {
+Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, positions));
   lookups.bind(gpu);
   return lookups.all();
 }
 
-ShadowError shadowError(std::span<const float> tau, std::span<const double> transmittance) {
+ShadowError shadowError(std::span<const float> mapped, std::span<const double> transmittance) {
   ShadowError e;
   std::vector<double> errors;
-  for (std::size_t i = 0; i < tau.size(); ++i) {
-    const double d = std::exp(-double(tau[i])) - transmittance[i];
-    e.bias += d / double(tau.size());
-    e.mean += std::abs(d) / double(tau.size());
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    const double d = double(mapped[i]) - transmittance[i];
+    e.bias += d / double(mapped.size());
+    e.mean += std::abs(d) / double(mapped.size());
     errors.push_back(std::abs(d));
   }
   if (errors.empty()) return e;

@@ -1,5 +1,5 @@
 #pragma once
-// How wrong a finished shadow is, and what a lookup costs: lookupTau on the GPU at points of known transmittance. GL thread.
+// How wrong a finished shadow is, and what a lookup costs: lookupTransmittance on the GPU at points of known transmittance. GL thread.
 #include <span>
 
 #include "renderer/shadow/gpu.h"
@@ -14,10 +14,10 @@ struct ShadowError {
   double bias = 0;                        ///< mean of dT: above 0 light leaks
 };
 
-/// Optical depth from the light to each position (world; w unused). At once, however many they are.
-Result<std::vector<float>> lookupTau(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions);
+/// Transmittance from the light to each position (world; w unused). At once, however many they are.
+Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions);
 
-ShadowError shadowError(std::span<const float> tau, std::span<const double> transmittance);
+ShadowError shadowError(std::span<const float> mapped, std::span<const double> transmittance);
 
 struct ProbeResult {
   ShadowError error;

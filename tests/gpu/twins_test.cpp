@@ -113,7 +113,7 @@ TEST(Shaders, MessagesNameFileAndLine) {
   test::renderer();
   test::ExpectLogged expected;
   gl::ShaderLibrary library;
-  const auto program = library.program({"shadow/lookup.comp.glsl"}, {}, "#define lookupTau noSuchFunction(\n", "broken");
+  const auto program = library.program({"shadow/lookup.comp.glsl"}, {}, "#define lookupTransmittance noSuchFunction(\n", "broken");
   ASSERT_FALSE(program);
   EXPECT_NE(program.error().message.find(".glsl:"), std::string::npos) << program.error().message;
 }

@@ -1,6 +1,9 @@
 #include "tests/support/gpu.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "renderer/view/shadow_probe.h"
 
@@ -69,7 +72,9 @@ std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& l
   lit.light = light;
   std::vector<vec4> padded;
   for (const vec3& p : positions) padded.push_back(vec4(p, 0));
-  return must(view::lookupTau(renderer().gpu(), lit, padded));
+  std::vector<float> tau = must(view::lookupTransmittance(renderer().gpu(), lit, padded));
+  for (float& t : tau) t = -std::log(std::max(t, std::numeric_limits<float>::min()));
+  return tau;
 }
 
 std::vector<float> texel(const shadow::ShadowBlock& block, ivec2 at) {

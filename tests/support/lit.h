@@ -1,5 +1,5 @@
 #pragma once
-// What the GPU says a light sends to points, and where rays meet solids: lib/light_tau.glsl and
+// What the GPU says a light sends to points, and where rays meet solids: lib/light_transmittance.glsl and
 // lib/solid.glsl behind a function.
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shadow/shadow_pass.h"

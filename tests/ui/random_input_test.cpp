@@ -1,5 +1,5 @@
 // Two thousand random events into the real window: it must stay alive, log no error, keep its memory and
-// answer afterwards. $PILEUS_RANDOM_SEED chooses others.
+// answer afterwards. $PILEUS_RANDOM_SEED chooses others. Fewer under LeakSanitizer: it must have lost nothing.
 #include <random>
 
 #include "nodes/serialize.h"
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kEvents = 2000, kBatch = 20;
+constexpr int kEvents = 2000, kBatch = 20, kEventsForLeaks = 400;
 
 constexpr char kGraph[] = R"({
   "pileus": 1,
@@ -171,6 +171,37 @@ TEST(RandomInput, TwoThousandEvents) {
   ui.type("sphere");
   ui.key("Return");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["document"]["nodes"].empty(); }));
+}
+
+// LeakSanitizer stands in for malloc and looks, when the program ends, for blocks nothing points at any more.
+TEST(RandomInput, LosesNoMemory) {
+  const fs::path sanitizer = "/usr/lib/x86_64-linux-gnu/liblsan.so.0";
+  if (!fs::exists(sanitizer)) GTEST_SKIP() << "LeakSanitizer's library, a part of GCC, is not here";
+  const fs::path folder = scratchFolder(), file = folder / "scene.json", report = folder / "leaks";
+  std::ofstream(file) << kGraph;
+  // What others keep for the life of the process.
+  std::ofstream(folder / "others") << "leak:swrast_dri\nleak:libLLVM\nleak:libGLX\nleak:libGLdispatch\nleak:libX11\n";
+  UiSession ui({1100, 720}, {file.string()}, json::object(), {},
+               {"LD_PRELOAD=" + sanitizer.string(), "LSAN_OPTIONS=exitcode=23:log_path=" + report.string() +
+                                                        ":suppressions=" + (folder / "others").string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
+  Monkey monkey(3, {1100, 720});
+  for (int i = 0; i < kEventsForLeaks; ++i) ui.input(monkey.next());
+  for (int i = 0; i < 6; ++i) {
+    ui.key("Escape");
+    if (ui.trace()["rects"].contains("dialog/cancel")) ui.click("dialog/cancel");
+  }
+  ui.key("ctrl+q");
+  if (ui.waitRect("dialog/discard", 2)) ui.click("dialog/discard");
+  const int code = ui.waitExit(60);
+  if (ui.log().find("LeakSanitizer has encountered a fatal error") != std::string::npos)
+    GTEST_SKIP() << "LeakSanitizer may not trace here";
+  std::string found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with("leaks")) found += textOf(entry.path());
+  EXPECT_EQ(code, 0) << found << ui.log();
+  EXPECT_EQ(found, "");
 }
 
 }  // namespace

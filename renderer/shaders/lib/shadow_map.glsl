@@ -1,4 +1,4 @@
-// Reading shadow maps: lookupTau is the one interface of all representations that keep something in the store.
+// Reading shadow maps: lookupTransmittance is the one interface of all representations that keep something in the store.
 // Variant constants (shadow::lookupDefines): METRIC_FLOATS and BASIS_FLOATS (largest of the lights present), STORES, WEIGHTS, HORIZON,
 // LOOKUP_BASES (bit per BASIS_* of the extinction maps present), LIGHT_KINDS (bit 1 extinction, 3 transmittance functions, 4 deep), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
 // METRIC_COUNT, BASIS, COEFFICIENTS, so that nothing else is compiled in.
@@ -81,26 +81,26 @@ float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   int taps = blend == BLEND_WHOLE ? 1 : blend == BLEND_NONE ? 4 : 2;
   // Axes along which texels are taken one by one; along the others the hardware blends.
   bvec2 single = bvec2(blend == BLEND_NONE || blend == BLEND_COLUMNS, blend == BLEND_NONE || blend == BLEND_ROWS);
-  float tau = 0.0, transmittance = 0.0, weights = 0.0;
+  float transmittance = 0.0, weights = 0.0;
   int tap = 0;
   do {
     vec2 o = vec2(float(blend == BLEND_ROWS ? 0 : tap & 1), float(blend == BLEND_ROWS ? tap : tap >> 1));
     bool covers;
-    tau = extinctionTau(light, face, mix(uv, (base + o + 0.5) / float(place.z), single), x, covers);
+    float T = exp(-extinctionTau(light, face, mix(uv, (base + o + 0.5) / float(place.z), single), x, covers));
     vec2 share = mix(vec2(1.0), mix(1.0 - w, w, o), single);
     float weight = (share.x * share.y + 1e-6) * (covers || !inMedium ? 1.0 : 1e-6);
-    transmittance += weight * exp(-tau);
+    transmittance += weight * T;
     weights += weight;
     ++tap;
   } while (tap < taps);
-  return taps == 1 ? tau : -log(max(transmittance / weights, 1e-30));
+  return transmittance / weights;
 }
 
 // The stored series is transmittance itself: linear, so the hardware's blend is right.
-float lookupTransmittance(int light, int face, vec2 uv, float x) {
+float lookupSeries(int light, int face, vec2 uv, float x) {
   float c[BASIS_FLOATS];
   loadCoefficients(light, face, uv, c);
-  return -log(clamp(basisValue(basisOf(light), coefficientsOf(light), c, x), 1e-9, 1.0));
+  return clamp(basisValue(basisOf(light), coefficientsOf(light), c, x), 0.0, 1.0);
 }
 
 vec2 deepVertex(int i) { return uintBitsToFloat(texelFetch(shadowDeep, i).xy); }
@@ -133,30 +133,28 @@ float lookupDeep(int light, int face, vec2 uv, float x) {
     T += weight * deepTransmittance(base, ivec2(o) + d, edge, face, x);
     ++tap;
   } while (tap < 4);
-  return -log(clamp(T, 1e-9, 1.0));
+  return clamp(T, 0.0, 1.0);
 }
 
-// Optical depth between the light and a world position, by the light's map of whatever kind.
-float lookupTau(int light, vec3 world, bool inMedium) {
+// Transmittance between the light and a world position, by the light's map of whatever kind.
+float lookupTransmittance(int light, vec3 world, bool inMedium) {
   int face;
   vec3 q = mapCoordinates(light, world, float(lights[light].coefficients.place.z), face);
-  float x = clamp(q.z, 0.0, 1.0), tau = 0.0;
+  float x = clamp(q.z, 0.0, 1.0), T = 1.0;
   int kind = lights[light].shadow.x;
 #if (LIGHT_KINDS & 26) == 2
-  tau = lookupExtinction(light, face, q.xy, x, inMedium);
+  T = lookupExtinction(light, face, q.xy, x, inMedium);
 #else
 #if LIGHT_KINDS & 2
-  if (kind == SHADOW_EXTINCTION) tau = lookupExtinction(light, face, q.xy, x, inMedium);
+  if (kind == SHADOW_EXTINCTION) T = lookupExtinction(light, face, q.xy, x, inMedium);
 #endif
 #if LIGHT_KINDS & 8
-  if (kind == SHADOW_TRANSMITTANCE) tau = lookupTransmittance(light, face, q.xy, x);
+  if (kind == SHADOW_TRANSMITTANCE) T = lookupSeries(light, face, q.xy, x);
 #endif
 #if LIGHT_KINDS & 16
-  if (kind == SHADOW_DEEP) tau = lookupDeep(light, face, q.xy, x);
+  if (kind == SHADOW_DEEP) T = lookupDeep(light, face, q.xy, x);
 #endif
 #endif
   bool outside = any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0))) || q.z <= 0.0;
-  return outside ? 0.0 : tau;
+  return outside ? 1.0 : T;
 }
-
-float lookupTau(int light, vec3 world) { return lookupTau(light, world, true); }

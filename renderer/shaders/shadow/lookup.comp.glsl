@@ -1,11 +1,11 @@
-// Optical depth between light 0 and given world positions, by whatever shadow the light has: what error measurements look at. Rows of
+// Transmittance between light 0 and given world positions, by whatever shadow the light has: what error measurements look at. Rows of
 // work groups beyond the first repeat the same lookups, for timing.
-#include "lib/light_tau.glsl"
+#include "lib/light_transmittance.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { vec4 positions[]; };
 layout(std430, binding = BIND_TEST_OUT) writeonly buffer Out { float outputs[]; };
 uniform int first, end;
 void main() {
   int i = first + int(gl_GlobalInvocationID.x);
-  if (i < end) outputs[i] = lightTau(0, positions[i].xyz);
+  if (i < end) outputs[i] = lightTransmittance(0, positions[i].xyz);
 }

@@ -1,6 +1,6 @@
 // What light 0 sends to given points, and the nearest solid along given rays from them, for the tests that
 // compare with C++.
-#include "lib/light_tau.glsl"
+#include "lib/light_transmittance.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { vec4 inputs[]; };     // point, direction
 layout(std430, binding = BIND_TEST_OUT) writeonly buffer Out { vec4 outputs[]; };  // five each
@@ -11,7 +11,7 @@ void main() {
   vec3 p = inputs[2 * i].xyz, towards, normal = vec3(0.0);
   Incidence unblocked = unshadowed(0, p);
   outputs[5 * i] = vec4(unblocked.towards, unblocked.distance);
-  outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTau(0, p));
+  outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTransmittance(0, p));
   float visible = solidVisibility(0, p, unblocked.towards, unblocked.distance);
   outputs[5 * i + 2] = vec4(lightArriving(0, p, true, towards), visible);
   int solid = -1;

@@ -2,9 +2,9 @@
 // and at each sample with extinction asks both lights of each pair, 2 i with its map and 2 i + 1 with ray-marched truth.
 // Adds to `errors` (SUM w dT, SUM |dT|, the dT of largest magnitude, number of samples) and to `transmittances` (SUM w T, SUM w T true,
 // SUM w, 0), w: how much of the sample is seen. A solid behind the media has its say in the picture (w, dT), but is no sample of them.
-// Variant constants: ACTIVE, OVERFLOW, SOLIDS, RESUME as in view/volume_render, SHAPES and those of lib/light_tau.glsl.
+// Variant constants: ACTIVE, OVERFLOW, SOLIDS, RESUME as in view/volume_render, SHAPES and those of lib/light_transmittance.glsl.
 #include "shared/compare.h"
-#include "lib/light_tau.glsl"
+#include "lib/light_transmittance.glsl"
 #include "lib/tiles.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -26,15 +26,15 @@ void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
 #if RESUME
   if (!lightIsDue(l + 1)) return;
   if (lightIsDue(l)) {
-    state.seen.x = exp(-lightTauTowards(l, p, in_.towards, in_.distance, inMedium));
+    state.seen.x = lightTransmittanceTowards(l, p, in_.towards, in_.distance, inMedium);
     state.light = paused ? l : l + 1;
     if (paused) return;
   }
-  float mapped = state.seen.x, truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance, inMedium));
+  float mapped = state.seen.x, truth = lightTransmittanceTowards(l + 1, p, in_.towards, in_.distance, inMedium);
   state.light = paused ? l + 1 : l + 2;
   if (paused) return;
 #else
-  float mapped = exp(-lightTauTowards(l, p, in_.towards, in_.distance, inMedium)), truth = exp(-lightTauTowards(l + 1, p, in_.towards, in_.distance, inMedium));
+  float mapped = lightTransmittanceTowards(l, p, in_.towards, in_.distance, inMedium), truth = lightTransmittanceTowards(l + 1, p, in_.towards, in_.distance, inMedium);
 #endif
   float d = mapped - truth, magnitude = abs(d);
   transmittance += weight * reached * vec4(mapped, truth, 1.0, 0.0);

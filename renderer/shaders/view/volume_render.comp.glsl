@@ -3,10 +3,10 @@
 // adds T_cam albedo / pi SUM E cos T_light.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one),
 // LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES, DEPTH (1: no light, but the mean
-// depth of what scatters), RESUME (1: a sample may take several dispatches, lib/resume.glsl) and those of lib/light_tau.glsl.
+// depth of what scatters), RESUME (1: a sample may take several dispatches, lib/resume.glsl) and those of lib/light_transmittance.glsl.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
-#include "lib/light_tau.glsl"
+#include "lib/light_transmittance.glsl"
 #include "lib/random.glsl"
 #include "lib/phase.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

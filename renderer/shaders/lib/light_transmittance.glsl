@@ -26,20 +26,21 @@ Incidence unshadowed(int l, vec3 p) {
 
 // `inMedium`: p is a point of a medium, not of a surface. With RESUME it goes on where state.item and state.tau say, and means
 // nothing where `paused` is set behind it.
-float lightTauTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium) {
-  float tau = 0.0;
+float lightTransmittanceTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium) {
+  float T = 1.0;
 #if LIGHT_KINDS & 26
 #if LIGHT_KINDS & 5
   int shadow = lights[l].shadow.x;
   if (shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH)
 #endif
-    tau = lookupTau(l, p, inMedium);
+    T = lookupTransmittance(l, p, inMedium);
 #endif
 #if LIGHT_KINDS & 4
   int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0, k = 0;
+  float tau = 0.0;
 #if RESUME
   k = state.item;
-  tau += state.tau;
+  tau = state.tau;
 #endif
   for (; k < count && tau < 30.0; ++k) {
 #if RESUME
@@ -56,20 +57,21 @@ float lightTauTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium
   state.item = paused ? k : 0;
   state.tau = paused ? tau : 0.0;
 #endif
+  T *= exp(-tau);
 #endif
-  return tau;
+  return T;
 }
 
-// Optical depth between p, in a medium, and light l.
-float lightTau(int l, vec3 p) {
+// Transmittance between p, in a medium, and light l.
+float lightTransmittance(int l, vec3 p) {
   Incidence i = unshadowed(l, p);
-  return lightTauTowards(l, p, i.towards, i.distance, true);
+  return lightTransmittanceTowards(l, p, i.towards, i.distance, true);
 }
 
 // E(p) [W/m^2] of light l on a surface that faces it, shadows included.
 vec3 lightArriving(int l, vec3 p, bool inMedium, out vec3 towards) {
   Incidence i = unshadowed(l, p);
   towards = i.towards;
-  float transmittance = exp(-lightTauTowards(l, p, i.towards, i.distance, inMedium));
+  float transmittance = lightTransmittanceTowards(l, p, i.towards, i.distance, inMedium);
   return i.irradiance * (transmittance * solidVisibility(l, p, i.towards, i.distance));
 }

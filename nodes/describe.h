@@ -90,8 +90,8 @@ class ParamRow {
   ParamRow& soft(double lo, double hi) { return spec_->softMin = lo, spec_->softMax = hi, *this; }
   ParamRow& logarithmic() { return spec_->logarithmic = true, *this; }
   /// Curve and Ramp: 0 .. 1 stands for densities at `input` between two other parameters.
-  ParamRow& over(std::string input, std::string lowest, std::string highest) {
-    return spec_->data = {std::move(input), std::move(lowest), std::move(highest)}, *this;
+  ParamRow& over(std::string input, std::string lowest, std::string highest, std::string what = "density") {
+    return spec_->data = {std::move(input), std::move(lowest), std::move(highest), std::move(what)}, *this;
   }
   ParamRow& socket() { return spec_->socket = true, *this; }
   ParamRow& file(std::string kinds, bool writes = false) { return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this; }

@@ -20,6 +20,7 @@ constexpr bool constantOnly(ParamType type) { return type == ParamType::Curve ||
 /// What a curve's or ramp's 0 .. 1 stands for: densities of the volumes at an input, between two parameters.
 struct DataRange {
   std::string input, lowest, highest;  ///< ids; a highest of 0 is the largest density there is
+  std::string what = "density";        ///< the densities are
 };
 
 struct Choice {

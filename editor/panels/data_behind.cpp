@@ -85,8 +85,9 @@ void drawRange(const ParamWidget& w, const DataBehind& data, float width) {
   const Theme& theme = w.editor.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::string left = fmt::format("{:.4g}", data.lowest);
-  const std::string right = data.highest ? fmt::format("{:.4g}", *data.highest) : "largest density";
-  const std::string middle = w.target.spec->data.input.empty() ? "" : "density in";
+  const std::string right =
+      data.highest ? fmt::format("{:.4g}", *data.highest) : "largest " + w.target.spec->data.what;
+  const std::string middle = w.target.spec->data.input.empty() ? "" : w.target.spec->data.what + " in";
   ImDrawList* draw = ImGui::GetWindowDrawList();
   drawText(draw, theme.small, {at.x, at.y}, palette::kTextFaint, left, 0.4f * width);
   const float end = textWidth(theme.small, right), half = 0.5f * textWidth(theme.small, middle);

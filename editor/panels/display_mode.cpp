@@ -42,6 +42,8 @@ std::vector<LayerChoice> layerChoices(const Editor& editor) {
                    "The part of one light alone, in the order of the links.",
                    {Kind::Light, static_cast<int>(i)},
                    C::Color});
+  if (view::emits(*picture->scene))
+    out.push_back({"Emission", "What glows alone, without any light.", {Kind::Emission, 0}, C::Color});
   return out;
 }
 

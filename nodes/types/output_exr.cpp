@@ -26,7 +26,7 @@ void describe(Describe<In, Out>& d) {
   d.in("type", &In::type).help("Precision of the stored pixels.");
   d.in("compression", &In::compression).help("Compression of the file.");
   d.in("depth", &In::depth).help("Adds depth.Z in 32 bits: metres along the viewing axis to the mean point that scatters or reflects; 0 where nothing does.");
-  d.in("lights", &In::lights).label("Light layers").help("Adds light1.R, light1.G ... for each light in the order of the links: its part of the picture. Their sum is the picture; each takes about as long as it.");
+  d.in("lights", &In::lights).label("Light layers").help("Adds light1.R, light1.G ... for each light in the order of the links: its part of the picture, and emission.R ... where something emits. Their sum is the picture; each takes about as long as it.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

@@ -43,15 +43,16 @@ void addLayers(State& state, const view::RenderScene& scene, const view::ExtraLa
   using Kind = view::PictureLayer::Kind;
   if (wanted.depth) add("depth", {Kind::Depth, 0});
   for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i) add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
+  if (wanted.lights && view::emits(scene)) add("emission", {Kind::Emission, 0});
 }
 
 void describe(Describe<In, Out>& d) {
   d.name("Volume Render").category("Render").keywords("picture scattering march beauty");
-  d.help("Renders single scattering of the lights in the volumes, and the solids behind and among them, front to back. Any number of "
-         "overlapping volumes; the picture refines sample by sample. Background black, alpha 0.");
+  d.help("Renders single scattering of the lights in the volumes, what they emit, and the solids behind and among them, front to back. Any "
+         "number of overlapping volumes; the picture refines sample by sample. Background black, alpha 0.");
   d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");
-  d.in("lights", &In::lights).many().help("The lights, each with its own shadow. None: black.");
+  d.in("lights", &In::lights).many().help("The lights, each with its own shadow. None: only what emits is seen.");
   d.in("solids", &In::solids).many().help("The opaque solids to draw. They block a light only where they are linked to its shadow, too.");
   d.in("camera", &In::camera).help("Where the picture is taken from; unlinked: the viewport's free camera, or a view framed on the volumes.");
   d.in("step_scale", &In::step_scale).range(0.05, 16).soft(0.25, 4).logarithmic().help("March step as a multiple of the finest voxel or pixel footprint along the ray.");

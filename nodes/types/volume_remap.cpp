@@ -70,7 +70,8 @@ struct Mapping {
 Result<Out> evaluate(const In& in, EvalContext&) {
   Out out{in.volume};
   double most = 0;
-  for (const volume::Instance& i : out.volume.items) most = std::max(most, volume::largestDensity(i));
+  for (const volume::Instance& i : out.volume.items)
+    if (!i.emission) most = std::max(most, volume::largestDensity(i));
   const Mapping mapping{in, in.inputMin, in.inputMax > 0 ? in.inputMax : most};
   if (most <= 0) return out;
   if (mapping.lowest >= mapping.highest)
@@ -82,6 +83,7 @@ Result<Out> evaluate(const In& in, EvalContext&) {
     return out;
   const volume::RemapPtr table = mapping.table();
   for (volume::Instance& i : out.volume.items) {
+    if (i.emission) continue;
     if (i.shape == volume::Shape::Grid) {
       i.remap = volume::composed(i.remap, table);
       continue;

@@ -34,12 +34,17 @@ class Texels {
   std::map<Key, std::size_t> tables_;
 };
 
+/// The table that its voxels go through: of what emits, that of the emission.
+const volume::DensityRemap* tableOf(const volume::Instance& i) {
+  return i.shape != volume::Shape::Grid ? nullptr : i.emission ? i.emission.get() : i.remap.get();
+}
+
 vec4 remapRow(const volume::Instance& i, Texels& texels) {
-  if (!i.remap) return vec4(-1, 0, 0, 0);
-  const double perDensity = (REMAP_ENTRIES - 1) / (i.remap->highest - i.remap->lowest);
+  const volume::DensityRemap* table = tableOf(i);
+  if (!table) return vec4(-1, 0, 0, 0);
+  const double perDensity = (REMAP_ENTRIES - 1) / (table->highest - table->lowest);
   const double most = std::numeric_limits<float>::max();
-  return vec4(float(texels.add(*i.remap)), float(perDensity), float(-i.remap->lowest * perDensity),
-              float(std::clamp(i.remap->emptyUpTo(), -most, most)));
+  return vec4(float(texels.add(*table)), float(perDensity), float(-table->lowest * perDensity), float(std::clamp(table->emptyUpTo(), -most, most)));
 }
 
 gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
@@ -60,6 +65,10 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
   r.boundsMin = vec4(vec3(bounds.min), float(i.medium.extinction));
   r.boundsMax = vec4(vec3(bounds.max), float(i.density));
   r.albedo = vec4(i.medium.albedo, float(i.medium.anisotropy));
+  if (i.emission) {
+    r.boundsMin.w = -1, r.boundsMax.w = 1;
+    r.albedo = vec4(i.shape == volume::Shape::Grid ? vec3(1) : vec3(i.emission->at(i.density)), 0);
+  }
   const double coarse = i.shape == volume::Shape::Grid ? std::exp2(double(r.shape.w)) : 1.0;
   r.detail = vec4(float(volume::detailSize(i) * coarse), 0, 0, 0);
   return r;
@@ -67,10 +76,13 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
 
 }  // namespace
 
-volume::InstanceList canonical(const volume::InstanceList& instances) {
+namespace {
+
+volume::InstanceList sorted(const volume::InstanceList& instances, bool withEmission) {
   std::vector<std::pair<Key, volume::Instance>> keyed;
   for (const volume::Instance& i : instances) {
-    if (volume::localBounds(i).empty() || volume::majorant(i) <= 0 || std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) < 1e-300) continue;
+    const bool seen = volume::majorant(i) > 0 || (withEmission && volume::emits(i));
+    if (volume::localBounds(i).empty() || !seen || std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) < 1e-300) continue;
     keyed.emplace_back(volume::contentKey({i}), i);
   }
   std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -79,13 +91,19 @@ volume::InstanceList canonical(const volume::InstanceList& instances) {
   return out;
 }
 
+}  // namespace
+
+volume::InstanceList canonical(const volume::InstanceList& instances) { return sorted(instances, false); }
+
+volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances) { return sorted(instances, true); }
+
 Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList& instances, double ms) {
   const Key content = volume::contentKey(instances);
   if (content != content_ || generation_ == ~std::uint64_t(0)) {
     instances_ = instances;
     content_ = content;
     shapes_ = 0;
-    for (const volume::Instance& i : instances_) shapes_ |= (i.shape == volume::Shape::Grid ? 1 : 2) | (i.remap ? 4 : 0);
+    for (const volume::Instance& i : instances_) shapes_ |= (i.shape == volume::Shape::Grid ? 1 : 2) | (tableOf(i) ? 4 : 0);
     generation_ = ~std::uint64_t(0) - 1;
   }
   std::vector<volume::GridPtr> grids;

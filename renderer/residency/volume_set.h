@@ -7,9 +7,11 @@
 
 namespace pileus::residency {
 
-/// Sorted by content, so that the order of links never changes a bit of a result; instances that cannot be seen (no voxels, zero extinction or
-/// density, no extent) left out.
+/// The media among them, sorted by content, so that the order of links never changes a bit of a result; instances that cannot be seen (no
+/// voxels, zero extinction or density, no extent) and those that only emit are left out: every map, march and measurement begins with this.
 volume::InstanceList canonical(const volume::InstanceList& instances);
+/// The same with those that emit: what a camera sees.
+volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances);
 
 class VolumeSet {
  public:

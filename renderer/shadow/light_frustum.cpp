@@ -12,7 +12,7 @@ LightFrustum fitSun(const scene::Light& sun, const volume::InstanceList& media, 
   Box3 box;  // in (right, down, along)
   for (const volume::Instance& i : media) {
     const Box3 local = volume::localBounds(i);
-    if (local.empty()) continue;
+    if (local.empty() || i.emission) continue;
     for (int c = 0; c < 8; ++c) {
       const dvec3 p(i.worldFromLocal * dvec4(local.corner(c), 1.0));
       box.extend(dvec3(glm::dot(p, right), glm::dot(p, down), glm::dot(p, along)));
@@ -56,7 +56,7 @@ LightFrustum fitLocal(const scene::Light& light, const volume::InstanceList& med
   double near = std::numeric_limits<double>::infinity(), far = 0;
   for (const volume::Instance& i : media) {
     const Box3 box = volume::worldBounds(i);
-    if (box.empty()) continue;
+    if (box.empty() || i.emission) continue;
     near = std::min(near, distanceTo(box, light.position));
     for (int c = 0; c < 8; ++c) far = std::max(far, glm::length(box.corner(c) - light.position));
   }

@@ -149,7 +149,7 @@ LocalSegment localSegment(const volume::Instance& i, const dvec3& from, const dv
 double addInstance(const volume::Instance& i, const dvec3& from, const dvec3& to, std::span<const double> at,
                    std::span<double> out) {
   const LocalSegment s = localSegment(i, from, to);
-  if (!(s.range.x < s.range.y)) return 0;
+  if (i.emission || !(s.range.x < s.range.y)) return 0;
   Sum sum(at, out);
   const double scale = i.medium.extinction * glm::length(to - from);
   if (i.shape == volume::Shape::Grid) {

@@ -17,9 +17,9 @@ gpu::SolidRecord makeRecord(const scene::Solid& solid) {
 }  // namespace
 
 LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes,
-                   const scene::SolidList& solids)
+                   const scene::SolidList& solids, bool emission)
     : lights_(std::move(lights)),
-      volumes_(residency::canonical(volumes)),
+      volumes_(emission ? residency::canonicalWithEmission(volumes) : residency::canonical(volumes)),
       drawnVolumes_(volumes_.size()),
       drawnSolids_(solids.size()) {
   // Lights mostly share one list of solids, the drawn one: each different list is stored once.

@@ -11,9 +11,9 @@ namespace pileus::view {
 
 class LightSet {
  public:
-  /// `volumes` and `solids` are what the pass itself looks at.
+  /// `volumes` and `solids` are what the pass itself looks at; `emission`: also at what only emits.
   LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes,
-           const scene::SolidList& solids);
+           const scene::SolidList& solids, bool emission = false);
 
   const std::vector<shadow::ShadowedLight>& lights() const { return lights_; }
   /// What a residency::VolumeSet has to hold: the pass's own volumes in canonical order, then those only

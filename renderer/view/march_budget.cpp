@@ -37,6 +37,7 @@ double shadowCost(const shadow::ShadowMap& shadow) {
   if (shadow.kind != Kind::RayMarch) return shadow.kind == Kind::Deep ? kDeepLookup : kLookup;
   double sum = 0;
   for (const volume::Instance& i : shadow.volumes) {
+    if (i.emission) continue;
     const double steps = i.shape == volume::Shape::Grid ? longestWay(i) / (volume::detailSize(i) * shadow.stepScale) : 1;
     sum += 2 + std::clamp(steps, 1.0, double(MARCH_MOST_STEPS)) / MARCH_UNROLL;
   }

@@ -10,10 +10,12 @@ namespace pileus::view {
 /// What the texels of a picture are.
 struct PictureLayer {
   enum class Kind {
-    Beauty,  ///< radiance of all lights, premultiplied, with alpha
-    Depth,   ///< metres along the viewing axis to the mean point that scatters (three times), and how much
-             ///< scatters; 0 where nothing does
-    Light,   ///< radiance of one light alone, as the beauty
+    Beauty,    ///< radiance of all lights, premultiplied, with alpha
+    Depth,     ///< metres along the viewing axis to the mean point that scatters (three times), and how much
+               ///< scatters; 0 where nothing does
+    Light,     ///< radiance of one light alone, as the beauty
+    Emission,  ///< radiance of what emits alone, behind what is in front of it; with those of all lights the
+               ///< beauty
   };
   Kind kind = Kind::Beauty;
   int light = 0;  ///< Light: its index in the scene
@@ -22,7 +24,7 @@ struct PictureLayer {
 
 /// Layers made beside the beauty, for files.
 struct ExtraLayers {
-  bool depth = false, lights = false;
+  bool depth = false, lights = false;  ///< lights: and the emission, where something emits
   bool operator==(const ExtraLayers&) const = default;
 };
 

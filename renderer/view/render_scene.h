@@ -1,6 +1,8 @@
 #pragma once
 // What a picture shows and how it is made. Plain values: whoever holds one can render the same picture again,
 // by other means.
+#include <algorithm>
+
 #include "renderer/scene/camera.h"
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
@@ -24,5 +26,11 @@ struct RenderScene {
   std::vector<shadow::ShadowedLight> lights;  ///< a light is blocked by the solids of its shadow
   scene::SolidList solids;                    ///< drawn
 };
+
+/// Does any of its volumes emit?
+inline bool emits(const RenderScene& scene) {
+  return std::any_of(scene.volumes.begin(), scene.volumes.end(),
+                     [](const auto& i) { return volume::emits(i); });
+}
 
 }  // namespace pileus::view

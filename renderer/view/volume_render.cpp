@@ -22,7 +22,12 @@ std::vector<shadow::ShadowedLight> lightsOf(const RenderScene& scene) {
 }  // namespace
 
 VolumeRenderPass::VolumeRenderPass(RenderScene scene)
-    : scene_(std::make_shared<const RenderScene>(std::move(scene))), lights_(lightsOf(*scene_), scene_->volumes, scene_->solids) {}
+    : scene_(std::make_shared<const RenderScene>(std::move(scene))),
+      // A light's layer leaves the emission out, but steps as the beauty does, so that the layers add up to it.
+      lights_(lightsOf(*scene_), scene_->volumes, scene_->solids, scene_->options.layer.kind != PictureLayer::Kind::Depth) {
+  const PictureLayer::Kind kind = scene_->options.layer.kind;
+  emission_ = (kind == PictureLayer::Kind::Beauty || kind == PictureLayer::Kind::Emission) && emits(*scene_);
+}
 
 void VolumeRenderPass::start(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
@@ -47,6 +52,7 @@ void VolumeRenderPass::start(const shadow::Gpu& gpu) {
 Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
   const int samples = scene_->options.samples;
+  if (picture_ && picture_->samples >= samples) return 1.0;  // asked again while layers beside it are made
   PILEUS_CHECK(lights_.check());
   PILEUS_TRY(residency_, set_.prepare(gpu.bricks, lights_.volumes(), ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
@@ -75,6 +81,7 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
                                  {"LIGHTS", unrolled},
                                  {"SOLIDS", lights_.drawnSolids() > 0},
                                  {"DEPTH", o.layer.kind == PictureLayer::Kind::Depth},
+                                 {"EMISSION", emission_},
                                  {"RESUME", budget_.resumes()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/volume_render.comp.glsl"}, defines));
   program->use();

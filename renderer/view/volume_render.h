@@ -1,5 +1,5 @@
 #pragma once
-// Single scattering through any number of overlapping volumes, and opaque solids, under any number of shadowed lights; progressive over
+// Single scattering and emission through any number of overlapping volumes, and opaque solids, under any number of shadowed lights; progressive over
 // regions and samples.
 #include "renderer/gl/gpu_timer.h"
 #include "renderer/gl/region_cursor.h"
@@ -48,6 +48,7 @@ class VolumeRenderPass {
   gl::RegionCursor cursor_;
   MarchBudget budget_;
   int pauseAfter_ = 0, dispatches_ = 0;
+  bool emission_ = false;  ///< counts, and there is some
   gl::GpuTimer timer_;
 };
 

@@ -24,13 +24,17 @@ double integral(const BrickGrid& grid, const dmat4& indexFromWorld, const dvec3&
 
 }  // namespace
 
+int levelToMeasure(const BrickGrid& grid) {
+  const auto longest = [](const Level& l) { return std::max({l.bricks.x, l.bricks.y, l.bricks.z}); };
+  int level = 0;
+  while (level + 1 < static_cast<int>(grid.levels.size()) && longest(grid.levels[std::size_t(level)]) > 8)
+    ++level;
+  return level;
+}
+
 Autofit autofit(const BrickGrid& grid, double target) {
   if (grid.empty()) return {};
-  int level = 0;  // some 64 to 128 voxels along the longest axis tell enough
-  while (level + 1 < static_cast<int>(grid.levels.size()) &&
-         std::max({grid.levels[std::size_t(level)].bricks.x, grid.levels[std::size_t(level)].bricks.y,
-                   grid.levels[std::size_t(level)].bricks.z}) > 8)
-    ++level;
+  const int level = levelToMeasure(grid);
   std::vector<dvec3> directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   constexpr int kSpread = 60;  // a spiral on the upper half sphere
   for (int i = 0; i < kSpread; ++i) {

@@ -14,4 +14,7 @@ struct Autofit {
 /// not count; an empty grid gives extinction 1.
 Autofit autofit(const BrickGrid& grid, double target = 6.0);
 
+/// The mip level with some 64 to 128 voxels along the longest axis, which tell enough.
+int levelToMeasure(const BrickGrid& grid);
+
 }  // namespace pileus::volume

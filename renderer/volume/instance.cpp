@@ -7,6 +7,16 @@ bool inside(const Box3& box, const dvec3& p) {
   return glm::all(glm::greaterThanEqual(p, box.min)) && glm::all(glm::lessThanEqual(p, box.max));
 }
 
+/// At a local position, before any table.
+double rawDensity(const Instance& i, const dvec3& p) {
+  switch (i.shape) {
+    case Shape::Grid: return i.grid ? sampleTrilinear(*i.grid, p) : 0.0;
+    case Shape::Box: return glm::all(glm::lessThanEqual(glm::abs(p), dvec3(0.5))) ? i.density : 0.0;
+    case Shape::Ball: return glm::dot(p, p) <= 1.0 ? i.density : 0.0;
+  }
+  return 0;
+}
+
 }  // namespace
 
 Box3 localBounds(const Instance& i) {
@@ -40,11 +50,18 @@ double largestDensity(const Instance& i) {
   return i.remap ? i.remap->largest(std::min(0.0, double(i.grid->minimum)), most) : most;
 }
 
-bool occupied(const Instance& i, const Brick& brick) {
-  return double(brick.maximum) > (i.remap ? i.remap->emptyUpTo() : 0.0);
+bool emits(const Instance& i) {
+  if (!i.emission) return false;
+  if (i.shape != Shape::Grid) return i.emission->density(i.density) > 0;
+  return i.grid && i.emission->largest(std::min(0.0, double(i.grid->minimum)), double(i.grid->maximum)) > 0;
 }
 
-double majorant(const Instance& i) { return std::max(0.0, largestDensity(i) * i.medium.extinction); }
+bool occupied(const Instance& i, const Brick& brick) {
+  const RemapPtr& table = i.emission ? i.emission : i.remap;
+  return double(brick.maximum) > (table ? table->emptyUpTo() : 0.0);
+}
+
+double majorant(const Instance& i) { return i.emission ? 0.0 : std::max(0.0, largestDensity(i) * i.medium.extinction); }
 
 Key contentKey(const InstanceList& instances) {
   Hasher h;
@@ -56,22 +73,24 @@ Key contentKey(const InstanceList& instances) {
       for (int r = 0; r < 4; ++r) h.add(i.worldFromLocal[c][r]);
     if (i.grid) h.add(i.grid->content);
     if (i.remap) h.add(i.remap->content);
+    if (i.emission) h.add(true).add(i.emission->content);
   }
   return h.key();
 }
 
 double sigmaAt(const Instance& i, const dvec3& world) {
+  if (i.emission) return 0;
   const dvec3 p = dvec3(glm::inverse(i.worldFromLocal) * dvec4(world, 1.0));
-  double density = 0;
-  switch (i.shape) {
-    case Shape::Grid:
-      density = i.grid ? sampleTrilinear(*i.grid, p) : 0.0;
-      if (i.remap) density = inside(localBounds(i), p) ? i.remap->density(density) : 0.0;
-      break;
-    case Shape::Box: density = glm::all(glm::lessThanEqual(glm::abs(p), dvec3(0.5))) ? i.density : 0.0; break;
-    case Shape::Ball: density = glm::dot(p, p) <= 1.0 ? i.density : 0.0; break;
-  }
+  double density = rawDensity(i, p);
+  if (i.remap) density = inside(localBounds(i), p) ? i.remap->density(density) : 0.0;
   return std::max(0.0, density * i.medium.extinction);
+}
+
+dvec3 emissionAt(const Instance& i, const dvec3& world) {
+  if (!i.emission) return dvec3(0);
+  const dvec3 p = dvec3(glm::inverse(i.worldFromLocal) * dvec4(world, 1.0));
+  const bool within = i.shape == Shape::Ball ? glm::dot(p, p) <= 1.0 : inside(localBounds(i), p);
+  return within ? dvec3(i.emission->at(rawDensity(i, p))) : dvec3(0);
 }
 
 }  // namespace pileus::volume

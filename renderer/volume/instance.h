@@ -18,6 +18,9 @@ struct Instance {
   Shape shape = Shape::Box;
   GridPtr grid;                ///< Shape::Grid only
   RemapPtr remap;              ///< Shape::Grid only: what its densities become; null: they stay
+  /// What it emits for each of its densities, as makeEmission() has it; null: nothing. One that emits has no extinction, whatever its
+  /// medium says: it scatters no light and casts no shadow.
+  RemapPtr emission;
   double density = 1;          ///< Box and Ball: the uniform density
   dmat4 worldFromLocal{1.0};   ///< affine; may mirror
   scene::Medium medium;
@@ -32,8 +35,10 @@ Box3 worldBounds(const Instance& instance);
 Box3 worldBounds(const InstanceList& instances);
 /// Metres: the smallest detail along any axis - a voxel edge, or 1/64 of an analytic shape's smallest extent.
 double detailSize(const Instance& instance);
-/// Largest density anywhere inside, as remapped.
+/// Largest density anywhere inside, as remapped; of one that emits: of its voxels.
 double largestDensity(const Instance& instance);
+/// Does it emit anything, anywhere?
+bool emits(const Instance& instance);
 /// Can there be anything in a brick of its grid?
 bool occupied(const Instance& instance, const Brick& brick);
 /// Largest sigma_t [1/m] anywhere inside.
@@ -42,5 +47,7 @@ double majorant(const Instance& instance);
 Key contentKey(const InstanceList& instances);
 /// sigma_t [1/m] at a world position, level 0, in double precision: the CPU twin of sigmaAt in lib/volume.glsl.
 double sigmaAt(const Instance& instance, const dvec3& world);
+/// Radiance gained per metre there [W/(m^3 sr)], in the same way.
+dvec3 emissionAt(const Instance& instance, const dvec3& world);
 
 }  // namespace pileus::volume

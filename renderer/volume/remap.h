@@ -1,6 +1,7 @@
 #pragma once
 // What a grid's densities become when they are sampled: a table, straight from entry to entry. The voxels
-// stay as they are, so that another table costs no bake and no upload. Immutable once shared.
+// stay as they are, so that another table costs no bake and no upload. Immutable once shared. Tables of what
+// is emitted (emission.h) are of the same kind.
 #include <memory>
 #include <vector>
 

@@ -33,7 +33,7 @@ struct VolumeRay {
   vec3 o, d;         // level voxel coordinates (local space for an analytic shape)
   ivec3 bricks;      // lattice of the level; 1 1 1 for an analytic shape
   int pages;         // its first page
-  float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t
+  float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t; < 0: it only emits
   bool analytic;
 #if SHAPES & 4
   vec4 remap;  // of the record
@@ -162,7 +162,7 @@ float emptyUntil(VolumeRay r, float t) {
 #endif
 }
 
-// At t: sigma_t [1/m] (w) and the factor of the albedo.
+// At t: sigma_t [1/m] (w) and the factor of the albedo, or of what is emitted.
 vec4 mediumAt(VolumeRay r, float t) {
 #if SHAPES & 1
   vec3 q = r.o + t * r.d;
@@ -173,7 +173,7 @@ vec4 mediumAt(VolumeRay r, float t) {
 #endif
   return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0)) : vec4(here.rgb, max(r.extinction * here.w, 0.0));
 #else
-  return vec4(vec3(1.0), r.extinction);
+  return vec4(vec3(1.0), max(r.extinction, 0.0));
 #endif
 }
 

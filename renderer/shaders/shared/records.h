@@ -14,9 +14,9 @@ namespace pileus::gpu {
 struct VolumeRecord {
   mat4 localFromWorld;
   mat4 worldFromLocal;
-  vec4 boundsMin;  // local; w: extinction [1/m per unit density]
+  vec4 boundsMin;  // local; w: extinction [1/m per unit density], or < 0: it only emits
   vec4 boundsMax;  // local; w: uniform density of a box or ball
-  vec4 albedo;     // rgb; w: anisotropy g
+  vec4 albedo;     // rgb; w: anisotropy g. Of what emits: factor of the table's rgb, radiance gained per metre
   vec4 detail;     // x: smallest detail [m]
   ivec4 shape;     // x: SHAPE_*, y: first LevelRecord, z: number of levels, w: first resident level
   vec4 remap;      // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d + z; w: empty up to it

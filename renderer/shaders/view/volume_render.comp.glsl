@@ -1,9 +1,10 @@
 // Single scattering, front to back: L = integral of T_cam sigma_s p E T_light ds, one sample per pixel and dispatch, averaged into the
 // target. Overlapping volumes are marched together; the step is the smallest of those active. The march ends at the nearest solid, which
-// adds T_cam albedo / pi SUM E cos T_light.
+// adds T_cam albedo / pi SUM E cos T_light. What emits adds its radiance per metre to the source, and lights nothing.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they are visited one by one),
 // LIGHTS (their number, or 0: lightCount), SOLIDS (1: there are some to draw), SHAPES, DEPTH (1: no light, but the mean
-// depth of what scatters), RESUME (1: a sample may take several dispatches, lib/resume.glsl) and those of lib/light_transmittance.glsl.
+// depth of what scatters), EMISSION (1: some volumes emit, and it counts), RESUME (1: a sample may take several dispatches,
+// lib/resume.glsl) and those of lib/light_transmittance.glsl.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
 #include "lib/light_transmittance.glsl"
@@ -21,6 +22,11 @@ uniform int solidCount;                        // drawn: the first ones
 
 // Scattering per unit length and solid angle of volume v: sigma_s p.
 vec3 scattering(vec4 albedo, vec4 medium, float cosine) { return medium.w * (albedo.rgb * medium.rgb) * phaseHg(cosine, albedo.w); }
+
+#if EMISSION
+// Radiance that volume v's table (factor and all) adds per metre; nothing of a medium.
+vec3 emission(VolumeRay ray, vec4 factor, vec4 table) { return ray.extinction < 0.0 ? factor.rgb * table.rgb : vec3(0.0); }
+#endif
 
 #if RESUME
 // What light l sends to p, black where that is counted already or has to wait for the next dispatch.
@@ -123,6 +129,9 @@ void main() {
       do {
         // On to the next sample with something in it.
         float sigma, at;
+#if EMISSION
+        vec3 glow;
+#endif
         do {
           at = t + (float(i) + r.z) * ds;
           float empty = 1e30;
@@ -132,16 +141,33 @@ void main() {
 #endif
           int to = stepAtOrBehind(i, empty, t, r.z, ds);
           sigma = 0.0;
+#if EMISSION
+          glow = vec3(0.0);
+#endif
           for (int k = 0; k < ACTIVE; ++k) {
             media[k] = k < count && to == i ? mediumAt(rays[k], at) : vec4(vec3(1.0), 0.0);
             sigma += media[k].w;
+#if EMISSION
+            glow += k < count && to == i ? emission(rays[k], albedo[k], media[k]) : vec3(0.0);
+#endif
           }
 #if OVERFLOW
           for (int item = rest; item < range.y; ++item) {
             VolumeRay ray;
             vec2 hit = enterVolume(tileItem(item), eye, d, levelFor(tileItem(item), pixelAngle * t), ray);
-            if (hit.x <= t && hit.y > t) sigma += sigmaAt(ray, at);
+            if (hit.x <= t && hit.y > t) {
+              vec4 here = mediumAt(ray, at);
+              sigma += here.w;
+#if EMISSION
+              glow += emission(ray, albedoOf(tileItem(item)), here);
+#endif
+            }
           }
+#endif
+#if EMISSION
+          // Where nothing scatters no light is looked up: the step's emission passes as it is.
+          L += sigma <= 0.0 ? T * ds * glow : vec3(0.0);
+          glow = sigma <= 0.0 ? vec3(0.0) : glow;
 #endif
 #if RESUME
           state.step = i;
@@ -187,6 +213,13 @@ void main() {
 #else
           ++l;
         } while (l < lightCount);
+#endif
+#endif
+#if EMISSION
+#if RESUME
+        source += paused ? vec3(0.0) : glow;  // with the step's last light
+#else
+        source += glow;
 #endif
 #endif
         float step = exp(-sigma * ds);

@@ -49,9 +49,11 @@ void addVolumes(Editor& editor, const std::vector<volume::VdbFit>& fits) {
   for (const volume::VdbFit& fit : fits)
     for (const std::string& line : explainFit(fit)) log::info("{}", line);
   std::string text = scene->summary;
-  if (fits.size() == 1)
+  if (fits.size() == 1 && fits.front().smoke)
     text +=
         fmt::format(": '{}', extinction {:.3g} 1/m", fits.front().guess.grid, fits.front().fit.extinction);
+  for (const volume::VdbFit& fit : fits)
+    if (fit.fire) text += fmt::format("; '{}' glows", fit.fire->grid);
   for (const volume::VdbFit& fit : fits)
     if (fit.frames.count > 1) text += fmt::format("; {} frames found beside it", fit.frames.count);
   editor.messages.info(text + ". One undo takes it back; the log says why.");

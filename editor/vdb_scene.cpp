@@ -144,38 +144,97 @@ bool inView(const scene::Camera& camera, const Box3& bounds) {
   return angle < 1.3 * half && size > 0.06 * half && size < 4 * half;
 }
 
-/// Sun, shadow, fill light, camera, render and view around the media.
-std::string addLook(Builder& build, std::span<const std::string> media, std::span<const volume::VdbFit> fits,
-                    const scene::Camera& camera) {
-  const dvec3 back = camera.eye - camera.target;
-  const double azimuth = std::round(glm::degrees(std::atan2(back.x, back.z)));
-  const std::string sun = build.add("light.sun", 1, 1, "Sun");
+/// Three digits say what is known of a guess.
+double threeDigits(double v) {
+  const double digits = std::pow(10.0, std::floor(std::log10(std::max(v, 1e-9))) - 2);
+  return std::round(v / digits) * digits;
+}
+
+/// What files were made into: names of nodes, and how many rows they take.
+struct Added {
+  std::vector<std::string> media, fires;
+  double rows = 0;
+};
+
+std::string addFile(Builder& build, const volume::VdbFit& fit, double row, const std::string& name,
+                    const std::string& grid) {
+  const std::string file = build.add("volume.vdb_file", 0, row, name);
+  build.set(file, "file", fit.file.string());
+  if (!grid.empty()) build.set(file, "grid", grid);
+  return file;
+}
+
+void addSmoke(Builder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
+  const std::string file = addFile(build, fit, added.rows, name, fit.byDefault ? "" : fit.guess.grid);
+  const std::string medium = build.add("volume.medium", 1, added.rows++, file + " Medium");
+  build.set(medium, "extinction", std::min(threeDigits(fit.fit.extinction), 1e6));
+  build.set(medium, "albedo", dvec3(0.95));
+  build.set(medium, "anisotropy", 0.2);
+  build.link(file, "volume", medium, "volume");
+  added.media.push_back(medium);
+}
+
+void addFire(Builder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
+  const std::string file = addFile(build, fit, added.rows, name, fit.fire->grid);
+  const std::string body = build.add("volume.blackbody", 1, added.rows++, file + " Black Body");
+  const volume::FireRange& range = fit.fire->range;
+  if (range.lowest > 0) build.set(body, "input_min", range.lowest);
+  build.set(body, "input_max", range.highest);
+  build.set(body, "coolest", range.body.coolest);
+  build.set(body, "hottest", range.body.hottest);
+  build.set(body, "strength", range.body.strength);
+  build.link(file, "volume", body, "volume");
+  added.fires.push_back(body);
+}
+
+Added addFiles(Builder& build, std::span<const volume::VdbFit> fits) {
+  Added added;
+  for (const volume::VdbFit& fit : fits) {
+    std::string name = fit.file.stem().string();
+    if (!nodes::checkName(name)) std::replace(name.begin(), name.end(), '.', ' ');
+    if (fit.smoke) addSmoke(build, fit, name, added);
+    if (fit.fire) addFire(build, fit, fit.smoke ? name + " Fire" : name, added);
+  }
+  return added;
+}
+
+/// Sun, its shadow and a fill light around the media, below the files.
+void addLights(Builder& build, std::span<const std::string> media, double azimuth, double row,
+               const std::string& render) {
+  const std::string sun = build.add("light.sun", 1, row, "Sun");
   build.set(sun, "azimuth", azimuth - 75);
   build.set(sun, "elevation", 38.0);
   build.set(sun, "irradiance", 22.0);
-  const std::string sky = build.add("light.sun", 2, 2, "Sky");
+  const std::string sky = build.add("light.sun", 2, row + 1, "Sky");
   build.set(sky, "azimuth", azimuth + 60);
   build.set(sky, "elevation", 60.0);
   build.set(sky, "irradiance", 3.0);
   build.set(sky, "color", dvec3(0.5, 0.7, 1.0));
-  const std::string metric = build.add("shadow.pseudometric", 2, 0.6, "Pseudometric Map");
+  const std::string metric = build.add("shadow.pseudometric", 2, row - 0.4, "Pseudometric Map");
   build.set(metric, "resolution", 512);
-  const std::string map = build.add("shadow.extinction", 3, 0.6, "Extinction Map");
+  const std::string map = build.add("shadow.extinction", 3, row - 0.4, "Extinction Map");
   build.set(map, "coefficients", 12);
   build.link(sun, "light", metric, "light");
   build.link(metric, "metric", map, "metric");
-  const std::string eye = build.add("camera.perspective", 3, 2, "Camera");
+  for (const std::string& medium : media) build.link(medium, "volume", metric, "volumes");
+  build.link(map, "light", render, "lights");
+  build.link(sky, "light", render, "lights");
+}
+
+/// Lights for the smoke, a camera, a render and a view. Fire needs no light.
+std::string addLook(Builder& build, const Added& added, std::span<const volume::VdbFit> fits,
+                    const scene::Camera& camera) {
+  const dvec3 back = camera.eye - camera.target;
+  const double azimuth = std::round(glm::degrees(std::atan2(back.x, back.z)));
+  const std::string eye = build.add("camera.perspective", 3, added.rows + 1, "Camera");
   build.set(eye, "eye", camera.eye);
   build.set(eye, "target", camera.target);
   build.set(eye, "fov", camera.fov);
   const std::string render = build.add("render.volume", 4, 0, "Render");
   build.set(render, "step_scale", stepScale(fits));
-  for (const std::string& medium : media) {
-    build.link(medium, "volume", metric, "volumes");
-    build.link(medium, "volume", render, "volumes");
-  }
-  build.link(map, "light", render, "lights");
-  build.link(sky, "light", render, "lights");
+  for (const std::string& medium : added.media) build.link(medium, "volume", render, "volumes");
+  for (const std::string& fire : added.fires) build.link(fire, "volume", render, "volumes");
+  if (!added.media.empty()) addLights(build, added.media, azimuth, added.rows, render);
   build.link(eye, "camera", render, "camera");
   const std::string view = build.add("output.view", 5, 0, "View");
   build.link(render, "image", view, "image");
@@ -192,45 +251,45 @@ std::string cameraOf(const Graph& graph, const std::string& render) {
   return {};
 }
 
+void explainFire(const volume::FireFit& fire, const std::string& name, std::vector<std::string>& out) {
+  const volume::FireRange& range = fire.range;
+  if (fire.brightness < 1)
+    out.push_back(name + ": smoke hides most of the fire; lower its extinction to see more");
+  out.push_back(fmt::format("{}: grid '{}' glows {} ({})", name, fire.grid, fire.why,
+                            volume::confidenceText(fire.confidence)));
+  out.push_back(fmt::format(
+      "{}: values {:.3g} to {:.3g} are {:.4g} to {:.4g} K ({}), strength {:.3g} W/(m^3 sr), so that its "
+      "brighter parts reach a radiance of {:.2g}",
+      name, range.lowest, range.highest, range.body.coolest, range.body.hottest,
+      fire.kelvins ? "they are kelvins, by their size" : "a guess: they have no unit", range.body.strength,
+      fire.brightness));
+}
+
 }  // namespace
 
 Result<VdbScene> addVdbFiles(const Graph& graph, std::span<const volume::VdbFit> fits,
                              const std::string& wanted, const std::optional<scene::Camera>& present) {
   Builder build(graph);
-  std::vector<std::string> media;
+  const Added added = addFiles(build, fits);
   Box3 bounds;
-  double row = 0;
-  for (const volume::VdbFit& fit : fits) {
-    std::string name = fit.file.stem().string();
-    if (!nodes::checkName(name)) std::replace(name.begin(), name.end(), '.', ' ');
-    const std::string file = build.add("volume.vdb_file", 0, row, name);
-    build.set(file, "file", fit.file.string());
-    if (!fit.byDefault) build.set(file, "grid", fit.guess.grid);
-    const std::string medium = build.add("volume.medium", 1, row, file + " Medium");
-    // Three digits say what is known of a guess.
-    const double digits = std::pow(10.0, std::floor(std::log10(std::max(fit.fit.extinction, 1e-9))) - 2);
-    build.set(medium, "extinction", std::min(std::round(fit.fit.extinction / digits) * digits, 1e6));
-    build.set(medium, "albedo", dvec3(0.95));
-    build.set(medium, "anisotropy", 0.2);
-    build.link(file, "volume", medium, "volume");
-    media.push_back(medium);
+  for (const volume::VdbFit& fit : fits)
     if (!fit.bounds.empty()) bounds.extend(fit.bounds);
-    row += 1;
-  }
   VdbScene out;
   const std::string render = nodes::findNode(graph, wanted) ? wanted : firstRender(graph);
   const scene::Camera camera = framed(bounds, graph);
   const std::string what =
       fits.size() == 1 ? fits.front().file.filename().string() : fmt::format("{} volume files", fits.size());
   if (render.empty()) {
-    out.cameraNode = addLook(build, media, fits, camera);
+    out.cameraNode = addLook(build, added, fits, camera);
     out.camera = camera;
-    out.summary = what + " shown with a sun, its shadow and a camera";
+    out.summary = what + (added.media.empty() ? " shown as fire alone, with a camera"
+                                              : " shown with a sun, its shadow and a camera");
   } else {
-    for (const std::string& medium : media) {
+    for (const std::string& medium : added.media) {
       build.link(medium, "volume", render, "volumes");
       linkToShadows(build, medium, render);
     }
+    for (const std::string& fire : added.fires) build.link(fire, "volume", render, "volumes");
     out.summary = fmt::format("{} added to {}", what, render);
     if (!bounds.empty() && (!present || !inView(*present, bounds))) {
       out.cameraNode = cameraOf(graph, render);
@@ -252,14 +311,15 @@ std::vector<std::string> explainFit(const volume::VdbFit& fit) {
   std::vector<std::string> out;
   out.push_back(fmt::format("{}: grid '{}' {} ({})", name, fit.guess.grid, fit.guess.why,
                             volume::confidenceText(fit.guess.confidence)));
-  if (fit.fit.opticalDepth > 0)
+  if (fit.smoke && fit.fit.opticalDepth > 0)
     out.push_back(
         fmt::format("{}: extinction {:.3g} 1/m, so that half of the rays through the middle meet an optical "
                     "depth above {:.0f} "
                     "(likely: densities of files have no unit)",
                     name, fit.fit.extinction, fit.fit.opticalDepth));
-  else
+  else if (fit.smoke)
     out.push_back(name + ": the grid is empty in this file, so its density could not be fitted");
+  if (fit.fire) explainFire(*fit.fire, name, out);
   for (const std::string& note : fit.guess.notes) out.push_back(name + ": " + note);
   if (fit.frames.count > 1)
     out.push_back(fmt::format("{}: {} frames lie beside it ({} to {}); this one is shown", name,

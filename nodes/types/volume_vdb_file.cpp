@@ -41,7 +41,11 @@ struct Import {
 void explain(const In& in, const Read& read, EvalContext& ctx) {
   if (in.grid.empty())
     ctx.note(fmt::format("{}: {}", read.imported.grid->name, volume::whyByName(read.imported.grid->name)));
-  if (read.fit.opticalDepth > 0)
+  using volume::GridRole;
+  const GridRole role = volume::roleOfGrid(read.imported.grid->name);
+  if (!in.grid.empty() && (role == GridRole::Temperature || role == GridRole::Flame))
+    ctx.note("A Black Body behind it shows it glow");
+  else if (read.fit.opticalDepth > 0)
     ctx.note(fmt::format("Extinction {:.3g} 1/m gives an optical depth of {:.0f} through the middle (likely)",
                          read.fit.extinction, read.fit.opticalDepth));
   for (std::string& note : volume::notesOnOthers(read.imported.others)) ctx.note(std::move(note));

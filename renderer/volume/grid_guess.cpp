@@ -39,9 +39,9 @@ int rank(const GridInfo& g) {
 std::string_view roleText(GridRole role) {
   switch (role) {
     case GridRole::Temperature:
-      return "temperature: emission is not rendered yet, so it is left out";
+      return "temperature: a Black Body behind a VDB File of this grid shows it glow";
     case GridRole::Flame:
-      return "flames: emission is not rendered yet, so they are left out";
+      return "flames: a Black Body behind a VDB File of this grid shows them glow";
     case GridRole::Fuel:
       return "fuel: not drawn";
     case GridRole::Velocity:

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/volume/instance.h"
-
 namespace fs = std::filesystem;
 
 namespace pileus::volume {
@@ -24,6 +22,61 @@ bool cut(const std::string& name, Numbered& out) {
   if (begin == end || end - begin > 9) return false;
   out = {name.substr(0, begin), name.substr(begin, end - begin), name.substr(end)};
   return true;
+}
+
+/// Its warnings, place and size; false: it is empty.
+bool measure(VdbFit& out, const ImportedGrid& imported) {
+  out.warnings.insert(out.warnings.end(), imported.warnings.begin(), imported.warnings.end());
+  const BrickGrid& grid = *imported.grid;
+  if (grid.empty()) return false;
+  out.voxelSize = out.bounds.empty() ? grid.voxelSize : std::min(out.voxelSize, grid.voxelSize);
+  const dvec3 extent = grid.indexBounds.size();
+  out.longest = std::max({out.longest, extent.x, extent.y, extent.z});
+  out.bounds.extend(transformed(grid.indexBounds, grid.worldFromIndex));
+  return true;
+}
+
+bool isFire(GridRole role) { return role == GridRole::Temperature || role == GridRole::Flame; }
+
+/// The chosen grid, with an extinction for it; nothing where it is empty.
+Result<std::optional<Instance>> addSmoke(VdbFit& out, JobControl& control) {
+  PILEUS_TRY(const ImportedGrid imported, importVdb(out.file, out.byDefault ? "" : out.guess.grid, control));
+  if (!measure(out, imported)) return std::optional<Instance>{};
+  out.fit = autofit(*imported.grid);
+  std::optional<Instance> smoke(std::in_place);
+  smoke->shape = Shape::Grid;
+  smoke->grid = imported.grid;
+  smoke->worldFromLocal = imported.grid->worldFromIndex;
+  smoke->medium.extinction = out.fit.extinction;
+  return smoke;
+}
+
+/// The grid that glows; nothing where it is too cold.
+Result<void> addFire(VdbFit& out, const VdbInfo& info, const GridInfo& fire, const Instance* smoke,
+                     JobControl& control) {
+  PILEUS_TRY(const ImportedGrid imported, importVdb(out.file, fire.name, control));
+  FireFit fit = fitFire(imported.grid, control, smoke);
+  if (!(fit.brightness > 0)) return {};
+  measure(out, imported);
+  fit.grid = fire.name;
+  fit.why = "by its name";
+  const bool flames = roleOfGrid(fire.name) == GridRole::Flame;
+  fit.confidence = flames || fit.kelvins ? Confidence::Likely : Confidence::Guess;
+  const bool noFlames = std::any_of(info.grids.begin(), info.grids.end(), [](const GridInfo& g) {
+    return roleOfGrid(g.name) == GridRole::Flame && !(g.maximum > 0);
+  });
+  if (!flames && noFlames)
+    fit.why += "; the file's flames are empty, so it may be hot smoke rather than fire";
+  if (!out.smoke) {
+    out.guess.grid = fire.name;
+    out.guess.why = "no grid is called density or smoke, so it is fire alone";
+  }
+  std::vector<std::string> others;
+  for (const GridInfo& g : info.grids)
+    if (g.name != out.guess.grid && g.name != fire.name) others.push_back(g.name);
+  out.guess.notes = notesOnOthers(others);
+  out.fire = std::move(fit);
+  return {};
 }
 
 }  // namespace
@@ -59,21 +112,20 @@ Result<VdbFit> fitVdb(const fs::path& path, JobControl& control) {
     for (const std::string& note : out.guess.notes) all += (all.empty() ? "" : "; ") + note;
     return fail(Code::Input, "{}: {}{}", path.string(), out.guess.why, all.empty() ? "" : " (" + all + ")");
   }
+  out.frames = framesBeside(path);
+  const GridInfo* fire = fireGrid(info.grids);
   out.byDefault =
       info.chosen >= 0 && info.grids[static_cast<std::size_t>(info.chosen)].name == out.guess.grid;
-  PILEUS_TRY(ImportedGrid imported, importVdb(path, out.byDefault ? "" : out.guess.grid, control));
-  out.warnings = std::move(imported.warnings);
-  out.frames = framesBeside(path);
-  if (imported.grid->empty()) return out;
-  out.fit = autofit(*imported.grid);
-  out.voxelSize = imported.grid->voxelSize;
-  const dvec3 extent = imported.grid->indexBounds.size();
-  out.longest = std::max({extent.x, extent.y, extent.z});
-  Instance instance;
-  instance.shape = Shape::Grid;
-  instance.grid = imported.grid;
-  instance.worldFromLocal = imported.grid->worldFromIndex;
-  out.bounds = worldBounds(instance);
+  out.smoke = !fire || !isFire(roleOfGrid(out.guess.grid));
+  std::optional<Instance> smoke;
+  if (out.smoke) {
+    PILEUS_TRY(smoke, addSmoke(out, control));
+  }
+  if (fire) PILEUS_CHECK(addFire(out, info, *fire, smoke ? &*smoke : nullptr, control));
+  if (!out.smoke && !out.fire) {  // heat that does not glow is shown as smoke rather than not at all
+    out.smoke = true;
+    PILEUS_TRY(smoke, addSmoke(out, control));
+  }
   return out;
 }
 

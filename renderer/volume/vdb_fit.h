@@ -1,10 +1,12 @@
 #pragma once
 // First look at a volume file: which grid, how dense, how large, and what else there is.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/volume/autofit.h"
+#include "renderer/volume/fire_fit.h"
 #include "renderer/volume/grid_guess.h"
 
 namespace pileus::volume {
@@ -19,9 +21,11 @@ FileFrames framesBeside(const std::filesystem::path& path);
 
 struct VdbFit {
   std::filesystem::path file;
-  GridGuess guess;
+  GridGuess guess;        ///< of what is drawn as smoke; of fire alone: its grid
   bool byDefault = true;  ///< an import without a grid's name would take the same one
-  Autofit fit;
+  bool smoke = true;      ///< false: there is fire alone
+  Autofit fit;            ///< of smoke
+  std::optional<FireFit> fire;
   double voxelSize = 1;  ///< metres
   double longest = 1;    ///< voxels along the longest axis
   Box3 bounds;           ///< world; empty: there is nothing to see

@@ -11,7 +11,11 @@
 #include "nodes/document.h"
 #include "nodes/serialize.h"
 #include "renderer/image/exr.h"
+#include "renderer/volume/vdb_child.h"
 #include "tests/support/support.h"
+
+// These tests read volumes, too.
+extern "C" int pileusTestChild(int argc, char** argv) { return pileus::volume::importChildMain(argc, argv); }
 
 namespace pileus::editor {
 namespace {
@@ -28,6 +32,21 @@ volume::VdbFit smoke() {
   fit.voxelSize = 0.1;
   fit.longest = 200;
   fit.bounds = {dvec3(-5, 0, -5), dvec3(5, 20, 5)};
+  return fit;
+}
+
+volume::VdbFit withFire(volume::VdbFit fit) {
+  fit.fire = volume::FireFit{
+      "temperature", "by its name", volume::Confidence::Guess, {0, 1.1, {900, 2100, 0.25}}, false, 4};
+  return fit;
+}
+
+volume::VdbFit fireAlone() {
+  volume::VdbFit fit = withFire(smoke());
+  fit.file = "/volumes/fire_0012.vdb";
+  fit.smoke = false;
+  fit.guess.grid = "temperature";
+  fit.fit = {};
   return fit;
 }
 
@@ -118,14 +137,93 @@ TEST(VdbScene, SeveralFilesAndOddNames) {
   EXPECT_FALSE(ofType(scene->graph, "render.volume").empty());
 }
 
+TEST(VdbScene, FireGlowsBesideTheSmoke) {
+  const volume::VdbFit fit = withFire(smoke());
+  const Result<VdbScene> scene = addVdbFiles({}, {&fit, 1});
+  ASSERT_TRUE(scene) << scene.error().message;
+  const nodes::Graph& g = scene->graph;
+  EXPECT_EQ(scene->added.size(), g.nodes.size()) << "all of it is one edit";
+  EXPECT_TRUE(linked(g, {"smoke_0012 Medium", "volume", "Render", "volumes"}));
+  EXPECT_TRUE(linked(g, {"smoke_0012 Fire", "volume", "smoke_0012 Fire Black Body", "volume"}));
+  EXPECT_TRUE(linked(g, {"smoke_0012 Fire Black Body", "volume", "Render", "volumes"}));
+  for (const nodes::Link& l : g.links)
+    EXPECT_TRUE(l.fromNode != "smoke_0012 Fire Black Body" || l.toNode == "Render")
+        << l.toNode << ": no shadow";
+  EXPECT_EQ(std::get<std::string>(nodes::findNode(g, "smoke_0012 Fire")->params.at("grid")), "temperature");
+  const auto& params = nodes::findNode(g, "smoke_0012 Fire Black Body")->params;
+  EXPECT_EQ(std::get<double>(params.at("input_max")), 1.1);
+  EXPECT_EQ(std::get<double>(params.at("coolest")), 900);
+  EXPECT_EQ(std::get<double>(params.at("hottest")), 2100);
+  EXPECT_EQ(std::get<double>(params.at("strength")), 0.25);
+  const Result<nodes::Loaded> read = nodes::parseGraph(nodes::graphText(g));
+  ASSERT_TRUE(read);
+  for (const nodes::Fault& fault : read->faults) ADD_FAILURE() << nodes::faultText(fault);
+  // No two nodes lie on one another.
+  for (const auto& [a, first] : g.nodes)
+    for (const auto& [b, second] : g.nodes)
+      EXPECT_TRUE(a >= b || std::abs(first->at.x - second->at.x) >= 200 ||
+                  std::abs(first->at.y - second->at.y) >= 100)
+          << a << " and " << b;
+  // It joins a scene in the same way.
+  const Result<nodes::Loaded> preset =
+      nodes::loadGraph(fs::path(PILEUS_SOURCE_DIR) / "presets" / "default.json");
+  ASSERT_TRUE(preset);
+  const Result<VdbScene> joined = addVdbFiles(preset->graph, {&fit, 1}, "Render");
+  ASSERT_TRUE(joined) << joined.error().message;
+  EXPECT_EQ(joined->graph.nodes.size(), preset->graph.nodes.size() + 4);
+  EXPECT_TRUE(linked(joined->graph, {"smoke_0012 Fire Black Body", "volume", "Render", "volumes"}));
+  EXPECT_FALSE(
+      linked(joined->graph, {"smoke_0012 Fire Black Body", "volume", "Pseudometric Map", "volumes"}));
+}
+
+TEST(VdbScene, FireAloneIsAPictureWithoutLights) {
+  const volume::VdbFit fit = fireAlone();
+  const Result<VdbScene> scene = addVdbFiles({}, {&fit, 1});
+  ASSERT_TRUE(scene) << scene.error().message;
+  const nodes::Graph& g = scene->graph;
+  EXPECT_TRUE(linked(g, {"fire_0012 Black Body", "volume", "Render", "volumes"}));
+  EXPECT_TRUE(ofType(g, "volume.medium").empty());
+  EXPECT_TRUE(ofType(g, "light.sun").empty());
+  EXPECT_TRUE(ofType(g, "shadow.pseudometric").empty());
+  ASSERT_TRUE(scene->camera);
+  EXPECT_NEAR(scene->camera->target.y, 10, 0.1);
+  EXPECT_NE(scene->summary.find("fire alone"), std::string::npos);
+  // Fire and smoke of two files: the smoke is lit.
+  const std::vector<volume::VdbFit> both{fireAlone(), smoke()};
+  EXPECT_FALSE(ofType(addVdbFiles({}, both)->graph, "shadow.pseudometric").empty());
+}
+
+TEST(VdbScene, RealFireIsFoundAndFramed) {
+  PILEUS_NEEDS_DATA();
+  JobControl control;
+  const auto fit =
+      volume::fitVdb(*test::dataFolder() / "vdb" / "embergen_fire" / "embergen_fire_a_20.vdb", control);
+  ASSERT_TRUE(fit) << fit.error().message;
+  const Result<VdbScene> scene = addVdbFiles({}, {&*fit, 1});
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_FALSE(ofType(scene->graph, "volume.blackbody").empty());
+  ASSERT_TRUE(scene->camera);
+  EXPECT_LT(glm::length(scene->camera->target - fit->bounds.center()), 2);
+}
+
+TEST(VdbScene, ExplainsFire) {
+  std::string all;
+  for (const volume::VdbFit& fit : {fireAlone(), withFire(smoke())})
+    for (const std::string& line : explainFit(fit)) all += line + "\n";
+  for (const char* part : {"'temperature' glows by its name (a guess)", "900 to 2100 K", "they have no unit",
+                           "strength 0.25", "optical depth above 6"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+  EXPECT_EQ(all.find("could not be fitted"), std::string::npos) << "fire alone has no density to fit";
+}
+
 TEST(VdbScene, ExplainsWhatItGuessed) {
   volume::VdbFit fit = smoke();
   fit.frames = {12, "smoke_0001.vdb", "smoke_0012.vdb"};
-  fit.guess.notes = {"'temperature' looks like temperature: emission is not rendered yet, so it is left out"};
+  fit.guess.notes = {"'v' looks like velocity: motion blur is not rendered yet, so it is left out"};
   std::string all;
   for (const std::string& line : explainFit(fit)) all += line + "\n";
-  for (const char* part : {"'density'", "by its name", "(sure)", "0.123", "optical depth above 6", "emission",
-                           "12 frames", "smoke_0001.vdb"})
+  for (const char* part : {"'density'", "by its name", "(sure)", "0.123", "optical depth above 6",
+                           "motion blur", "12 frames", "smoke_0001.vdb"})
     EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
 }
 

@@ -59,8 +59,7 @@ TEST(GridGuess, NamesBeforeClassesBeforeAnything) {
   EXPECT_EQ(g.grid, "Density");
   EXPECT_EQ(g.confidence, Confidence::Sure);
   ASSERT_EQ(g.notes.size(), 3u);
-  EXPECT_NE(g.notes[0].find("'heat' looks like temperature: emission is not rendered yet"),
-            std::string::npos);
+  EXPECT_NE(g.notes[0].find("'heat' looks like temperature: a Black Body"), std::string::npos);
   EXPECT_NE(g.notes[1].find("velocity"), std::string::npos);
   EXPECT_EQ(g.notes[2], "Not used: noise");
 
@@ -117,12 +116,46 @@ TEST(VdbFit, FitsRealFiles) {
   const Result<VdbFit> heat = fitVdb(vdb / "usd_densityAndHeat.vdb", control);
   ASSERT_TRUE(heat) << heat.error().message;
   EXPECT_EQ(heat->guess.grid, "density");
-  ASSERT_EQ(heat->guess.notes.size(), 1u);
-  EXPECT_NE(heat->guess.notes[0].find("emission"), std::string::npos);
+  EXPECT_TRUE(heat->smoke);
+  EXPECT_TRUE(heat->guess.notes.empty()) << "the other grid glows";
+  ASSERT_TRUE(heat->fire);
+  EXPECT_EQ(heat->fire->grid, "heat");
+  EXPECT_FALSE(heat->fire->kelvins);
+  EXPECT_GT(heat->fire->range.highest, 0.5);
+  EXPECT_LE(heat->fire->range.highest, 0.76);
+  EXPECT_GT(heat->bounds.max.z, 27) << "smoke and fire";
 
   const Result<VdbFit> none = fitVdb(vdb / "oiio_sphereCd.vdb", control);
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().message.find("Cd"), std::string::npos) << none.error().message;
+}
+
+TEST(VdbFit, FitsFireAloneAndBesideSmoke) {
+  PILEUS_NEEDS_DATA();
+  JobControl control;
+  const std::filesystem::path vdb = *test::dataFolder() / "vdb";
+  const Result<VdbFit> fire = fitVdb(vdb / "embergen_fire" / "embergen_fire_a_20.vdb", control);
+  ASSERT_TRUE(fire) << fire.error().message;
+  EXPECT_FALSE(fire->smoke);
+  ASSERT_TRUE(fire->fire);
+  EXPECT_EQ(fire->guess.grid, fire->fire->grid);
+  EXPECT_GT(fire->fire->range.body.strength, 0);
+  EXPECT_GT(fire->fire->brightness, 1);
+  EXPECT_FALSE(fire->bounds.empty());
+  EXPECT_NEAR(fire->bounds.center().z, -98, 4);
+  EXPECT_EQ(fire->frames.count, 40);
+  // No voxel of frame 0 is active.
+  const Result<VdbFit> none = fitVdb(vdb / "embergen_fire" / "embergen_fire_a_0.vdb", control);
+  EXPECT_TRUE(!none || !none->fire);
+
+  const Result<VdbFit> hot = fitVdb(vdb / "blender_adaptive_seq" / "fluid_data_0030.vdb", control);
+  ASSERT_TRUE(hot) << hot.error().message;
+  EXPECT_TRUE(hot->smoke);
+  ASSERT_TRUE(hot->fire);
+  EXPECT_EQ(hot->fire->grid, "temperature");
+  EXPECT_EQ(hot->fire->confidence, Confidence::Guess);
+  EXPECT_NE(hot->fire->why.find("flames are empty"), std::string::npos);
+  EXPECT_EQ(hot->fit.opticalDepth, 6);
 }
 
 }  // namespace

@@ -32,10 +32,12 @@ TEST(Fire, AStillOfFireAloneIsBrightAndFinite) {
   const std::string graph = fmt::format(
       R"({{ "pileus": 1, "settings": {{ "size": [96, 54] }}, "nodes": {{
     "File": {{ "type": "volume.vdb_file", "at": [0, 0], "params": {{ "file": "{}", "grid": "{}" }} }},
-    "Fire": {{ "type": "volume.blackbody", "at": [0, 0], "params": {{ "input_max": {}, "coolest": {}, "hottest": {}, "strength": {} }} }},
+    "Fire": {{ "type": "volume.blackbody", "at": [0, 0],
+              "params": {{ "input_max": {}, "coolest": {}, "hottest": {}, "strength": {} }} }},
     "Render": {{ "type": "render.volume", "at": [0, 0], "params": {{ "samples": 2 }} }},
     "View": {{ "type": "output.view", "at": [0, 0], "params": {{}} }} }},
-  "links": [ "File.volume -> Fire.volume", "Fire.volume -> Render.volumes", "Render.image -> View.image" ] }})",
+  "links": [ "File.volume -> Fire.volume", "Fire.volume -> Render.volumes",
+             "Render.image -> View.image" ] }})",
       file.string(), fit->fire->grid, range.highest, range.body.coolest, range.body.hottest,
       range.body.strength);
   const auto r = test::pileus({"render", write(folder, "fire.json", graph), "-o", folder / "fire.exr"});
@@ -66,7 +68,8 @@ TEST(Fire, LayersOfAFileAddUp) {
     "Sun": { "type": "light.sun", "at": [0, 0], "params": {} },
     "Map": { "type": "shadow.extinction", "at": [0, 0], "params": { "resolution": 64 } },
     "Render": { "type": "render.volume", "at": [0, 0], "params": { "samples": 2 } },
-    "Out": { "type": "output.exr", "at": [0, 0], "params": { "type": "float", "lights": true, "depth": true } } },
+    "Out": { "type": "output.exr", "at": [0, 0],
+             "params": { "type": "float", "lights": true, "depth": true } } },
   "links": [ "Hot.volume -> Fire.volume", "Smoke.volume -> Render.volumes", "Fire.volume -> Render.volumes",
              "Smoke.volume -> Map.volumes", "Fire.volume -> Map.volumes", "Sun.light -> Map.light",
              "Map.light -> Render.lights", "Render.image -> Out.image" ] })";

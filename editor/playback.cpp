@@ -60,6 +60,10 @@ void togglePlay(Editor& editor) {
     play(editor, 1);
 }
 
+void holdFrame(Editor& editor, const nodes::Node& node) {
+  if (!node.animated.empty()) stopPlayback(editor);
+}
+
 void stepPlayback(Editor& editor) {
   PlayClock& clock = editor.timeline.clock;
   if (!clock.playing()) return;

@@ -1,5 +1,9 @@
 #pragma once
 // The current frame: going to one, to the next key, and playing. Never an undo step.
+namespace pileus::nodes {
+struct Node;
+}
+
 namespace pileus::editor {
 
 struct Editor;
@@ -14,6 +18,8 @@ void goToEnd(Editor& editor, int direction);  ///< of the range: -1 its start, 1
 void play(Editor& editor, int direction);
 void stopPlayback(Editor& editor);
 void togglePlay(Editor& editor);
+/// Before values of a node are dragged: an animated one gets keys, and all of them at one frame.
+void holdFrame(Editor& editor, const nodes::Node& node);
 /// Once a frame: sets the frame that is due now.
 void stepPlayback(Editor& editor);
 /// Seconds until the next frame is due; -1: nothing plays.

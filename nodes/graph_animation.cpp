@@ -84,6 +84,15 @@ Graph removeKey(const Graph& graph, const std::string& name, const std::string& 
   return result;
 }
 
+const AnimationKey* findKey(const Graph& graph, const KeyAt& at) {
+  const Node* node = findNode(graph, at.node);
+  const auto it = node ? node->animated.find(at.param) : decltype(node->animated.find(at.param)){};
+  if (!node || it == node->animated.end()) return nullptr;
+  for (const AnimationKey& key : it->second.keys)
+    if (key.frame == at.frame) return &key;
+  return nullptr;
+}
+
 Result<Graph> moveKeys(const Graph& graph, const std::vector<KeyMove>& moves) {
   Graph result = graph;
   std::map<std::pair<std::string, std::string>, std::vector<const KeyMove*>> byParam;

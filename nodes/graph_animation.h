@@ -1,5 +1,6 @@
 #pragma once
 // Edits of keyframes. Values are checked as setParam checks them; errors name node and parameter.
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,14 @@ Result<Graph> setKey(const Graph& graph, const std::string& node, const std::str
                      const ParamValue& value, Interpolation interpolation = Interpolation::Smooth);
 /// Without its last key a parameter is constant at that key's value. No key there: nothing changes.
 Graph removeKey(const Graph& graph, const std::string& node, const std::string& param, double frame);
+
+struct KeyAt {
+  std::string node, param;
+  double frame = 0;
+  auto operator<=>(const KeyAt&) const = default;
+};
+/// Null: there is none.
+const AnimationKey* findKey(const Graph& graph, const KeyAt& at);
 
 struct KeyMove {
   std::string node, param;

@@ -4,13 +4,14 @@
 #include "editor/panels/bar_parts.h"
 #include "editor/panels/viewport_camera.h"
 #include "editor/widgets.h"
+#include "nodes/graph_animation.h"
 
 namespace pileus::editor {
 namespace {
 
 void setText(Editor& editor, const std::string& node, const char* param, const std::string& value,
              const char* label) {
-  tryEditRoot(editor, nodes::setParam(editor.document.root(), node, param, value), label);
+  tryEditRoot(editor, nodes::setParamAt(editor.document.root(), node, param, value, editor.frame), label);
 }
 }  // namespace
 

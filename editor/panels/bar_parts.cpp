@@ -10,6 +10,7 @@
 #include "editor/panels/number_field.h"
 #include "editor/panels/viewport_camera.h"
 #include "editor/widgets.h"
+#include "nodes/graph_animation.h"
 
 namespace pileus::editor {
 namespace {
@@ -121,12 +122,14 @@ void dragNumber(Bar& bar, const char* param, double value, const char* unit, con
                                       (std::string("##") + param).c_str(), value, field, width);
   editor.trace.item(std::string("viewport/") + param);
   if (edit.changed)
-    tryEditRoot(editor, nodes::setParam(editor.document.root(), bar.view, param, value), label,
-                edit.dragging ? std::string("viewport ") + param : "");
+    tryEditRoot(editor, nodes::setParamAt(editor.document.root(), bar.view, param, value, editor.frame),
+                label, edit.dragging ? std::string("viewport ") + param : "");
   if (edit.finished) editor.document.endMerge();
   if (ImGui::IsItemHovered() && !edit.dragging) tooltip(editor.theme, help);
   if (ImGui::IsItemClicked(1))
-    tryEditRoot(editor, nodes::setParam(editor.document.root(), bar.view, param, spec->fallback), label);
+    tryEditRoot(editor,
+                nodes::setParamAt(editor.document.root(), bar.view, param, spec->fallback, editor.frame),
+                label);
 }
 
 void drawExposure(Bar& bar) {

@@ -16,10 +16,10 @@
 namespace pileus::editor {
 namespace {
 
-std::string textParam(const nodes::Node& node, const nodes::NodeType& type, const char* id) {
+std::string textParam(const nodes::Node& node, const nodes::NodeType& type, const char* id, double frame) {
   const nodes::ParamSpec* spec = type.param(id);
   if (!spec) return {};
-  const nodes::ParamValue value = nodes::paramValue(node, *spec);
+  const nodes::ParamValue value = nodes::paramValue(node, *spec, frame);
   const std::string* text = std::get_if<std::string>(&value);
   return text ? *text : std::string();
 }
@@ -157,13 +157,13 @@ view::DisplaySettings displaySettings(const Editor& editor) {
   settings.falseColor = mode.falseColor;
   settings.zebra = mode.zebra;
   if (!type) return settings;
-  settings.display = textParam(*node, *type, "display");
-  settings.view = textParam(*node, *type, "view");
-  settings.look = textParam(*node, *type, "look");
+  settings.display = textParam(*node, *type, "display", editor.frame);
+  settings.view = textParam(*node, *type, "view", editor.frame);
+  settings.look = textParam(*node, *type, "look", editor.frame);
   const auto number = [&](const char* id, double& out) {
     const nodes::ParamSpec* spec = type->param(id);
     if (!spec) return;
-    const nodes::ParamValue value = nodes::paramValue(*node, *spec);
+    const nodes::ParamValue value = nodes::paramValue(*node, *spec, editor.frame);
     if (const double* v = std::get_if<double>(&value)) out = *v;
   };
   number("exposure", settings.exposure);

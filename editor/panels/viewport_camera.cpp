@@ -6,8 +6,10 @@
 #include <set>
 
 #include "editor/editor.h"
+#include "editor/playback.h"
 #include "editor/viewed_node.h"
 #include "editor/viewport/shadow_place.h"
+#include "nodes/graph_animation.h"
 
 namespace pileus::editor {
 namespace {
@@ -50,15 +52,16 @@ double aspect(const Editor& editor) {
 void setExposure(Editor& editor, double stops) {
   const std::string view = displayNode(editor);
   if (!view.empty())
-    tryEditRoot(editor, nodes::setParam(editor.document.root(), view, "exposure", stops), "Exposure",
-                "exposure keys");
+    tryEditRoot(editor, nodes::setParamAt(editor.document.root(), view, "exposure", stops, editor.frame),
+                "Exposure", "exposure keys");
 }
 
 double exposure(const Editor& editor) {
   const nodes::Node* node = nodes::findNode(editor.document.root(), displayNode(editor));
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::ParamSpec* spec = type ? type->param("exposure") : nullptr;
-  const nodes::ParamValue value = spec ? nodes::paramValue(*node, *spec) : nodes::ParamValue(0.0);
+  const nodes::ParamValue value =
+      spec ? nodes::paramValue(*node, *spec, editor.frame) : nodes::ParamValue(0.0);
   return std::get_if<double>(&value) ? std::get<double>(value) : 0.0;
 }
 
@@ -130,7 +133,7 @@ scene::Camera currentCamera(const Editor& editor) {
   scene::Camera camera;
   const auto vector = [&](const char* id, dvec3& out) {
     if (const nodes::ParamSpec* spec = type.param(id)) {
-      const nodes::ParamValue value = nodes::paramValue(node, *spec);
+      const nodes::ParamValue value = nodes::paramValue(node, *spec, editor.frame);
       if (const dvec3* v = std::get_if<dvec3>(&value)) out = *v;
     }
   };
@@ -138,7 +141,7 @@ scene::Camera currentCamera(const Editor& editor) {
   vector("target", camera.target);
   vector("up", camera.up);
   if (const nodes::ParamSpec* spec = type.param("fov")) {
-    const nodes::ParamValue value = nodes::paramValue(node, *spec);
+    const nodes::ParamValue value = nodes::paramValue(node, *spec, editor.frame);
     if (const double* v = std::get_if<double>(&value)) camera.fov = *v;
   }
   return camera;
@@ -154,13 +157,19 @@ void setCamera(Editor& editor, const scene::Camera& camera, const std::string& l
     return;
   }
   const double scale = glm::length(camera.eye - camera.target);
-  Result<nodes::Graph> graph = nodes::setParam(editor.document.root(), name, "eye", tidy(camera.eye, scale));
-  if (graph) graph = nodes::setParam(*graph, name, "target", tidy(camera.target, scale));
+  const scene::Camera now = currentCamera(editor);
+  holdFrame(editor, *nodes::findNode(editor.document.root(), name));
+  Result<nodes::Graph> graph = editor.document.root();
+  // What stays as it is, but for rounding, gets no key.
+  const auto moved = [&](const dvec3& a, const dvec3& b) { return glm::length(a - b) > 1e-9 * scale; };
+  const auto set = [&](const char* id, const nodes::ParamValue& value, bool changed) {
+    if (graph && changed) graph = nodes::setParamAt(*graph, name, id, value, editor.frame);
+  };
+  set("eye", tidy(camera.eye, scale), moved(camera.eye, now.eye));
+  set("target", tidy(camera.target, scale), moved(camera.target, now.target));
   // A place that was saved has an angle of its own.
-  if (const scene::Camera now = currentCamera(editor); now.fov != camera.fov || now.up != camera.up) {
-    if (graph) graph = nodes::setParam(*graph, name, "fov", camera.fov);
-    if (graph) graph = nodes::setParam(*graph, name, "up", camera.up);
-  }
+  set("fov", camera.fov, camera.fov != now.fov);
+  set("up", camera.up, camera.up != now.up);
   tryEditRoot(editor, std::move(graph), label, mergeKey);
 }
 

@@ -207,7 +207,7 @@ void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered) {
   // What the chosen tool cannot do with this node.
   const std::string name = onlySelected(editor);
   if (tools.drag || tools.mode == GizmoMode::Select || !canInsertTransform(editor)) return;
-  const auto target = gizmoTarget(editor.document.graph(), name, {});
+  const auto target = gizmoTarget(editor.document.graph(), name, {}, editor.frame);
   const bool able = target && (tools.mode == GizmoMode::Move     ? target->moves
                                : tools.mode == GizmoMode::Rotate ? target->turns
                                                                  : target->scales);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "nodes/graph_animation.h"
+
 namespace pileus::editor {
 namespace {
 
@@ -34,10 +36,10 @@ const Handles* handlesOf(const std::string& type) {
 }
 
 template <class T>
-bool readParam(const nodes::Node& node, const nodes::NodeType& type, const char* id, T& out) {
+bool readParam(const nodes::Node& node, const nodes::NodeType& type, const char* id, double frame, T& out) {
   const nodes::ParamSpec* spec = id ? type.param(id) : nullptr;
-  if (!spec || node.animated.contains(id)) return false;
-  const nodes::ParamValue value = nodes::paramValue(node, *spec);
+  if (!spec) return false;
+  const nodes::ParamValue value = nodes::paramValue(node, *spec, frame);
   const T* v = std::get_if<T>(&value);
   if (v) out = *v;
   return v != nullptr;
@@ -58,25 +60,25 @@ dmat4 GizmoTarget::placement() const {
   return glm::translate(dmat4(1.0), position - dvec3(linear * dvec4(pivot, 1))) * linear;
 }
 
-std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::string& name,
-                                       const dvec3& pivot) {
+std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::string& name, const dvec3& pivot,
+                                       double frame) {
   const nodes::Node* node = nodes::findNode(graph, name);
   const Handles* handles = node ? handlesOf(node->type) : nullptr;
   const nodes::NodeType* type = handles ? nodes::findNodeType(node->type) : nullptr;
   if (!type || node->bypass) return std::nullopt;
+  const auto read = [&](const char* id, auto& out) { return readParam(*node, *type, id, frame, out); };
   GizmoTarget t;
   t.node = name;
-  t.moves = readParam(*node, *type, handles->position, t.position);
-  t.turns = readParam(*node, *type, handles->rotate, t.rotate);
-  t.scales = readParam(*node, *type, handles->scale, t.scale);
-  if (double radius = 0; readParam(*node, *type, handles->radius, radius)) {
+  t.moves = read(handles->position, t.position);
+  t.turns = read(handles->rotate, t.rotate);
+  t.scales = read(handles->scale, t.scale);
+  if (double radius = 0; read(handles->radius, radius)) {
     t.scales = t.uniform = true;
     t.scale = dvec3(radius);
   }
-  t.aims = readParam(*node, *type, handles->aim, t.aim);
-  t.hasCone = readParam(*node, *type, handles->cone, t.cone);
-  t.sun = node->type == "light.sun" && readParam(*node, *type, "azimuth", t.azimuth) &&
-          readParam(*node, *type, "elevation", t.elevation);
+  t.aims = read(handles->aim, t.aim);
+  t.hasCone = read(handles->cone, t.cone);
+  t.sun = node->type == "light.sun" && read("azimuth", t.azimuth) && read("elevation", t.elevation);
   t.flat = node->type == "solid.plane";
   if (node->type == "volume.transform" && t.moves) {
     t.pivot = pivot;
@@ -87,13 +89,13 @@ std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::str
 }
 
 Result<nodes::Graph> withTarget(const nodes::Graph& graph, const GizmoTarget& before,
-                                const GizmoTarget& after, double scale) {
+                                const GizmoTarget& after, double scale, double frame) {
   const nodes::Node* node = nodes::findNode(graph, after.node);
   const Handles* handles = node ? handlesOf(node->type) : nullptr;
   if (!handles) return fail(Code::Arguments, "{} is gone", after.node);
   Result<nodes::Graph> out = graph;
   const auto set = [&](const char* id, const nodes::ParamValue& value) {
-    if (out && id) out = nodes::setParam(*out, after.node, id, value);
+    if (out && id) out = nodes::setParamAt(*out, after.node, id, value, frame);
   };
   GizmoTarget to = after;
   for (int a = 0; a < 3; ++a)

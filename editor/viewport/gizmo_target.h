@@ -35,13 +35,13 @@ struct GizmoTarget {
   bool operator==(const GizmoTarget&) const = default;
 };
 
-/// What the node's type lets be dragged; nothing for others, and where a parameter in question is keyed or
-/// missing. `pivot`: the middle of what flows into a transform.
-std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::string& node,
-                                       const dvec3& pivot);
-/// The graph with what differs from `before` written into the node; `scale`: metres that count as coarse,
-/// for rounding.
+/// What the node's type lets be dragged, as it is at `frame`; nothing for others. `pivot`: the middle of what
+/// flows into a transform.
+std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::string& node, const dvec3& pivot,
+                                       double frame);
+/// The graph with what differs from `before` written into the node, as keys at `frame` where it is animated;
+/// `scale`: metres that count as coarse, for rounding.
 Result<nodes::Graph> withTarget(const nodes::Graph& graph, const GizmoTarget& before,
-                                const GizmoTarget& after, double scale);
+                                const GizmoTarget& after, double scale, double frame);
 
 }  // namespace pileus::editor

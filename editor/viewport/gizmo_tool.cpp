@@ -9,6 +9,7 @@
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/playback.h"
 
 namespace pileus::editor {
 namespace {
@@ -105,7 +106,7 @@ std::optional<GizmoFrame> currentGizmo(const Editor& editor, const Projection& v
   const ViewportTools& tools = editor.viewport.tools;
   if (name.empty() || name == tools.look.light) return std::nullopt;
   const nodes::Graph& graph = editor.document.graph();
-  std::optional<GizmoTarget> target = gizmoTarget(graph, name, pivotOf(editor, name));
+  std::optional<GizmoTarget> target = gizmoTarget(graph, name, pivotOf(editor, name), editor.frame);
   if (!target) return std::nullopt;
   // The camera that is looked through has no place to take hold of.
   if (name == linkedCamera(editor, shownView(editor))) target->moves = false;
@@ -146,6 +147,7 @@ bool beginGizmoDrag(Editor& editor, const Projection& view) {
   const vec2 at = vec(ImGui::GetIO().MousePos);
   const auto handle = gizmoAt(gizmoShapes(*frame, view, editor.theme.px(1)), at, editor.theme.px(7));
   if (!handle) return false;
+  holdFrame(editor, *nodes::findNode(editor.document.graph(), frame->target.node));
   editor.document.endMerge();
   tools.drag = GizmoDrag{*handle, *frame, view.ray(at)};
   tools.before = editor.document.graph();
@@ -168,7 +170,8 @@ void continueGizmoDrag(Editor& editor, const Projection& view) {
     if (dragged && glm::length(tools.pointer - vec(io.MouseClickedPos[0])) > 0.5f) {
       tools.readout = dragged->readout;
       // A tenth of a pixel is six digits of that many.
-      Result<nodes::Graph> graph = withTarget(tools.before, start.target, dragged->target, metres * 1e4);
+      Result<nodes::Graph> graph =
+          withTarget(tools.before, start.target, dragged->target, metres * 1e4, editor.frame);
       const bool turns = dragged->target.rotate != start.target.rotate,
                  grows = dragged->target.scale != start.target.scale;
       const char* verb = start.target.sun || turns ? "Turn " : grows ? "Scale " : "Move ";

@@ -119,14 +119,17 @@ bool hasPicture(const Editor& editor) {
 void drawViewportTools(Editor& editor, vec2 min, vec2 max, bool hovered) {
   ViewportTools& tools = editor.viewport.tools;
   tools.overWidget = false;
-  // Once all is worked out it changes with the document alone.
+  // It changes with document and frame, and once more when their values have been worked out.
   const std::string shown = shownView(editor);
   if (!tools.sceneComplete || !editor.preview.complete() ||
-      tools.sceneRevision != editor.document.revision() || tools.sceneView != shown) {
+      tools.sceneRevision != editor.document.revision() || tools.sceneView != shown ||
+      tools.sceneFrame != editor.frame || tools.sceneAnswered != editor.preview.answered()) {
     tools.scene = viewScene(editor);
     tools.sceneComplete = editor.preview.complete();
     tools.sceneRevision = editor.document.revision();
     tools.sceneView = shown;
+    tools.sceneFrame = editor.frame;
+    tools.sceneAnswered = editor.preview.answered();
   }
   if (!tools.look.light.empty() && !lightViewCamera(editor)) tools.look = {};
   if (!hasPicture(editor)) return;

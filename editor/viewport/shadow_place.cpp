@@ -1,6 +1,7 @@
 #include "editor/viewport/shadow_place.h"
 
 #include "editor/editor.h"
+#include "editor/playback.h"
 #include "renderer/view/visible_point.h"
 
 namespace pileus::editor {
@@ -43,9 +44,10 @@ GizmoTarget castingOnto(const GizmoTarget& light, const dvec3& caster, const dve
 void placeByShadow(Editor& editor) {
   const std::string light = lightToUse(editor);
   if (light.empty()) return editor.messages.hint("Select a light first: its shadow is what you then place.");
-  if (!gizmoTarget(editor.document.graph(), light, {}))
-    return editor.messages.hint(light + " is keyed or bypassed and cannot be placed.");
+  if (!gizmoTarget(editor.document.graph(), light, {}, editor.frame))
+    return editor.messages.hint(light + " is bypassed and cannot be placed.");
   cancelShadowPlace(editor);
+  holdFrame(editor, *nodes::findNode(editor.document.graph(), light));
   editor.document.select({light});
   editor.document.endMerge();
   editor.viewport.tools.place = {ShadowPlace::Stage::Caster, light, {}, editor.document.graph()};
@@ -70,12 +72,12 @@ bool clickShadowPlace(Editor& editor, const Projection& view, vec2 at) {
 void followShadowPlace(Editor& editor, const Projection& view, vec2 at) {
   const ShadowPlace& place = editor.viewport.tools.place;
   if (place.stage != ShadowPlace::Stage::Shadow) return;
-  const auto start = gizmoTarget(place.before, place.light, {});
+  const auto start = gizmoTarget(place.before, place.light, {}, editor.frame);
   const auto receiver = seenAt(editor, view, at);
   if (!start || !receiver) return;
   tryEdit(editor,
           withTarget(place.before, *start, castingOnto(*start, place.caster, *receiver),
-                     glm::length(place.caster - *receiver)),
+                     glm::length(place.caster - *receiver), editor.frame),
           "Place " + place.light + " by its shadow", kMergeKey);
   editor.preview.touch();
 }
@@ -104,7 +106,7 @@ void lookThroughLight(Editor& editor) {
   LightView& look = editor.viewport.tools.look;
   if (!look.light.empty()) return leaveLightView(editor);
   const std::string light = lightToUse(editor);
-  const auto target = gizmoTarget(editor.document.graph(), light, {});
+  const auto target = gizmoTarget(editor.document.graph(), light, {}, editor.frame);
   if (!target) return editor.messages.hint("Select a light first to look through it.");
   const Box3& bounds = editor.viewport.tools.scene.bounds;
   const dvec3 center = bounds.empty() ? dvec3(0) : bounds.center();
@@ -130,7 +132,7 @@ void leaveLightView(Editor& editor) {
 std::optional<scene::Camera> lightViewCamera(const Editor& editor) {
   const LightView& look = editor.viewport.tools.look;
   if (look.light.empty()) return std::nullopt;
-  const auto target = gizmoTarget(editor.document.graph(), look.light, {});
+  const auto target = gizmoTarget(editor.document.graph(), look.light, {}, editor.frame);
   if (!target) return std::nullopt;
   scene::Camera camera;
   camera.fov = target->hasCone ? std::clamp(target->cone, 1.0, 120.0) : look.fov;
@@ -144,8 +146,9 @@ std::optional<scene::Camera> lightViewCamera(const Editor& editor) {
 
 void moveLightView(Editor& editor, const scene::Camera& camera, const std::string& mergeKey) {
   LightView& look = editor.viewport.tools.look;
-  const auto start = gizmoTarget(editor.document.graph(), look.light, {});
+  const auto start = gizmoTarget(editor.document.graph(), look.light, {}, editor.frame);
   if (!start) return;
+  holdFrame(editor, *nodes::findNode(editor.document.graph(), look.light));
   const dvec3 towards = camera.eye - camera.target;
   GizmoTarget to = *start;
   look.target = camera.target;
@@ -160,8 +163,8 @@ void moveLightView(Editor& editor, const scene::Camera& camera, const std::strin
     to.position = camera.eye;
     if (to.aims) to.aim = camera.target;
   }
-  tryEdit(editor, withTarget(editor.document.graph(), *start, to, look.distance), "Move " + look.light,
-          mergeKey);
+  tryEdit(editor, withTarget(editor.document.graph(), *start, to, look.distance, editor.frame),
+          "Move " + look.light, mergeKey);
 }
 
 void applyLightView(const Editor& editor, PreviewRequest& request) {

@@ -83,7 +83,7 @@ void collectLights(const Editor& editor, const std::string& user, std::vector<Pl
       open.push_back(link.fromNode);
       const nodes::Node* node = nodes::findNode(graph, link.fromNode);
       if (node && node->type.starts_with("light."))
-        if (auto target = gizmoTarget(graph, link.fromNode, dvec3(0)))
+        if (auto target = gizmoTarget(graph, link.fromNode, dvec3(0), editor.frame))
           out.push_back({link.fromNode, *target});
     }
   std::sort(out.begin(), out.end(),

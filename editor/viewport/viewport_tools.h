@@ -41,8 +41,9 @@ struct ViewportTools {
   LightView look;
   std::optional<scene::Camera> beforeAxis;  ///< what a right click on the axis cross goes back to
   ViewScene scene;                          ///< what is shown, and what it was made of:
-  std::uint64_t sceneRevision = 0;
+  std::uint64_t sceneRevision = 0, sceneAnswered = 0;
   std::string sceneView;
+  int sceneFrame = 0;
   bool sceneComplete = false;
   bool overWidget = false;
 };

@@ -6,6 +6,7 @@
 #include "editor/camera_control.h"
 #include "editor/viewport/gizmo.h"
 #include "editor/viewport/navigation_preset.h"
+#include "nodes/graph_animation.h"
 
 namespace pileus::editor {
 namespace {
@@ -211,19 +212,40 @@ TEST(Gizmo, AConeOpensByItsRim) {
 TEST(GizmoTarget, WritesOnlyWhatWasDragged) {
   nodes::Graph graph = *nodes::addNode(nodes::Graph{}, "volume.transform", {}, "T");
   graph = *nodes::setParam(graph, "T", "translate", dvec3(1, 2, 3));
-  const auto before = gizmoTarget(graph, "T", {10, 0, 0});
+  const auto before = gizmoTarget(graph, "T", {10, 0, 0}, 1);
   ASSERT_TRUE(before);
   expectNear(before->position, {11, 2, 3}, 1e-12);
   GizmoTarget after = *before;
   after.rotate = {0, 0, 90};
-  const auto written = withTarget(graph, *before, after, 10);
+  const auto written = withTarget(graph, *before, after, 10, 1);
   ASSERT_TRUE(written);
   const nodes::Node& node = *nodes::findNode(*written, "T");
   // The pivot stays at 11 2 3, so the origin goes to 11 -8 3.
   expectNear(std::get<dvec3>(node.params.at("translate")), {11, -8, 3}, 1e-6);
   expectNear(std::get<dvec3>(node.params.at("rotate")), {0, 0, 90}, 1e-9);
   EXPECT_FALSE(node.params.contains("scale"));
-  EXPECT_FALSE(gizmoTarget(*nodes::addNode(nodes::Graph{}, "render.volume", {}, "R"), "R", {}));
+  EXPECT_FALSE(gizmoTarget(*nodes::addNode(nodes::Graph{}, "render.volume", {}, "R"), "R", {}, 1));
+}
+
+TEST(GizmoTarget, AnimatedValuesAreThoseOfTheFrameAndGetAKeyThere) {
+  nodes::Graph graph = *nodes::addNode(nodes::Graph{}, "light.spot", {}, "S");
+  graph = *nodes::setKey(graph, "S", "position", 1, dvec3(0, 0, 0), nodes::Interpolation::Linear);
+  graph = *nodes::setKey(graph, "S", "position", 11, dvec3(10, 0, 0), nodes::Interpolation::Linear);
+  const auto before = gizmoTarget(graph, "S", {}, 4);
+  ASSERT_TRUE(before && before->moves);
+  expectNear(before->position, {3, 0, 0}, 1e-12);
+  GizmoTarget after = *before;
+  after.position.y = 2;
+  after.aim = {1, 2, 3};
+  const auto written = withTarget(graph, *before, after, 10, 4);
+  ASSERT_TRUE(written);
+  const nodes::AnimationKey* key = nodes::findKey(*written, {"S", "position", 4});
+  ASSERT_TRUE(key);
+  expectNear(std::get<dvec3>(key->value), {3, 2, 0}, 1e-9);
+  const nodes::Node& node = *nodes::findNode(*written, "S");
+  EXPECT_EQ(node.animated.at("position").keys.size(), 3u);
+  EXPECT_FALSE(node.animated.contains("target")) << "what is constant stays so";
+  expectNear(std::get<dvec3>(node.params.at("target")), {1, 2, 3}, 1e-9);
 }
 
 TEST(CameraControl, TurnsAboutAnyPointWithALevelHorizon) {

@@ -148,7 +148,8 @@ double idleSeconds(const Editor& editor, int settling) {
   if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
   if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
   if (editor.viewport.wheelEdit) return 0.25;
-  if (const double due = helpDueIn(editor.parameters); due > 0) return due;
+  for (const PointerRest* rest : {&editor.parameters.rest, &editor.timeline.rest})
+    if (const double due = helpDueIn(*rest); due > 0) return due;
   double due = 60;
   // A notice is drawn while it fades, and once more when it is gone.
   if (const double left = editor.messages.msLeft(); left >= 0) due = std::clamp((left - 300) / 1000, 0.05, 30.0);

@@ -28,7 +28,7 @@ void goToFrame(Editor& editor, int frame) {
 void stepFrame(Editor& editor, int by) { goToFrame(editor, editor.frame + by); }
 
 void goToKey(Editor& editor, int direction) {
-  const std::vector<AnimatedRow> rows = keyRows(editor.document.graph(), editor.document.selection());
+  const std::vector<AnimatedRow>& rows = shownRows(editor.timeline.rows, editor.document);
   // Keys between whole frames: the frame they belong to, but always onwards.
   const std::optional<double> key = keyBeside(rows, editor.frame, direction);
   if (!key)

@@ -41,9 +41,22 @@ std::vector<AnimatedRow> keyRows(const nodes::Graph& graph, const std::set<std::
   std::vector<AnimatedRow> rows;
   for (const auto& [name, node] : graph.nodes) {
     if (!selection.empty() && !selection.contains(name)) continue;
-    for (const auto& [param, animation] : node->animated) rows.push_back({name, param, animation.keys});
+    const nodes::NodeType* type = nodes::findNodeType(node->type);
+    for (const auto& [param, animation] : node->animated) {
+      const nodes::ParamSpec* spec = type ? type->param(param) : nullptr;
+      rows.push_back({name, param, animation.keys, name + " \xc2\xb7 " + (spec ? spec->label : param)});
+    }
   }
   return rows;
+}
+
+const std::vector<AnimatedRow>& shownRows(KeyRowsCache& cache, const nodes::Document& document) {
+  if (cache.revision != document.graphRevision() || cache.selection != document.selection()) {
+    cache.rows = keyRows(document.graph(), document.selection());
+    cache.revision = document.graphRevision();
+    cache.selection = document.selection();
+  }
+  return cache.rows;
 }
 
 KeySelection keysAt(const std::vector<AnimatedRow>& rows, int row, double frame, double reach) {

@@ -1,7 +1,6 @@
 #pragma once
 // The timeline's arithmetic and state: frames on the ruler, keys as rows, what is selected, and the clock of
 // playback. Nothing here knows the window.
-#include <compare>
 #include <deque>
 #include <optional>
 #include <set>
@@ -9,7 +8,8 @@
 #include <vector>
 
 #include "editor/panels/number_field.h"
-#include "nodes/graph.h"
+#include "editor/pointer_rest.h"
+#include "nodes/document.h"
 #include "nodes/graph_animation.h"
 
 namespace pileus::editor {
@@ -32,20 +32,26 @@ struct FrameScale {
 /// 1, 2 or 5 times a power of ten: the least distance in frames that is at least `pixels` wide.
 double tickStep(double pixelsPerFrame, double pixels);
 
-struct KeyRef {
-  std::string node, param;
-  double frame = 0;
-  auto operator<=>(const KeyRef&) const = default;
-};
+using KeyRef = nodes::KeyAt;
 using KeySelection = std::set<KeyRef>;
 
 /// An animated parameter.
 struct AnimatedRow {
   std::string node, param;
   std::vector<nodes::AnimationKey> keys;
+  std::string title;  ///< for the user: the node's name and the parameter's label
 };
 /// Of the selected nodes, of all nodes if none is selected.
 std::vector<AnimatedRow> keyRows(const nodes::Graph& graph, const std::set<std::string>& selection);
+
+/// The rows of what a document shows, made anew only where graph or selection have changed.
+struct KeyRowsCache {
+  std::vector<AnimatedRow> rows;
+  std::uint64_t revision = 0;
+  std::set<std::string> selection;
+};
+/// Stays valid until the next call.
+const std::vector<AnimatedRow>& shownRows(KeyRowsCache& cache, const nodes::Document& document);
 
 /// Row 0 is the summary: its keys stand for those of every row at that frame. Row i + 1 is rows[i].
 /// The keys within `reach` frames of `frame`, the nearest frame's only.
@@ -87,10 +93,12 @@ struct Timeline {
   FrameScale scale;
   bool fitted = false;  ///< the scale has been chosen for this document
   float scroll = 0;     ///< of the rows, pixels
+  KeyRowsCache rows;
   KeySelection selected;
   PlayClock clock;
   std::uint64_t answered = 0;  ///< of the preview, when last counted
   NumberFieldState numbers;
+  PointerRest rest;
 
   Drag drag = Drag::None;
   bool moved = false;  ///< the drag has left the place where it began

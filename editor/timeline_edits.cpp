@@ -30,7 +30,7 @@ void interpolateSelectedKeys(Editor& editor, nodes::Interpolation interpolation)
 
 void keyShownRows(Editor& editor) {
   nodes::Graph graph = editor.document.graph();
-  const std::vector<AnimatedRow> rows = keyRows(graph, editor.document.selection());
+  const std::vector<AnimatedRow>& rows = shownRows(editor.timeline.rows, editor.document);
   if (rows.empty()) return editor.messages.hint("Nothing is animated yet: press I over a parameter.");
   for (const AnimatedRow& row : rows) {
     nodes::Animation animation{row.keys};
@@ -44,7 +44,7 @@ void keyShownRows(Editor& editor) {
 
 void selectAllKeys(Editor& editor) {
   editor.timeline.selected.clear();
-  for (const AnimatedRow& row : keyRows(editor.document.graph(), editor.document.selection()))
+  for (const AnimatedRow& row : shownRows(editor.timeline.rows, editor.document))
     for (const nodes::AnimationKey& k : row.keys)
       editor.timeline.selected.insert({row.node, row.param, k.frame});
 }

@@ -16,8 +16,6 @@
 namespace pileus::editor {
 namespace {
 
-constexpr double kShortRest = 0.45, kLongRest = 1.1;  // seconds: over labels, over what can be dragged
-
 using Names = std::vector<std::string>;
 
 void wrapped(ImU32 ink, const char* mark, const std::string& text) {
@@ -248,15 +246,6 @@ void drawMany(Editor& editor) {
   }
 }
 
-void updateRest(PointerRest& rest) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const double now = ImGui::GetTime();
-  const bool moved = std::abs(io.MousePos.x - rest.at.x) + std::abs(io.MousePos.y - rest.at.y) > 1.5f;
-  if (moved || io.MouseWheel != 0.0f || ImGui::IsAnyMouseDown()) rest.at = io.MousePos, rest.since = now;
-  rest.short_ = now - rest.since > kShortRest;
-  rest.long_ = now - rest.since > kLongRest;
-}
-
 }  // namespace
 
 Names shownNodes(const Editor& editor) {
@@ -271,12 +260,6 @@ Names shownNodes(const Editor& editor) {
     names.push_back(name);
   }
   return names;
-}
-
-double helpDueIn(const Parameters& panel) {
-  if (!panel.rest.inside || panel.rest.long_) return 0;
-  const double age = ImGui::GetTime() - panel.rest.since;
-  return std::max(0.02, (age < kShortRest ? kShortRest : kLongRest) - age + 0.01);
 }
 
 bool keysAreTaken(const Parameters& panel) {
@@ -303,8 +286,7 @@ void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
   if (!ImGui::IsMouseDown(1) && !ImGui::IsMouseReleased(1)) panel.points.removing = false;
   panel.litParam = std::exchange(panel.nextLit, {});
   if (!panel.pinned.empty() && !editor.document.graph().nodes.contains(panel.pinned)) panel.pinned.clear();
-  panel.rest.inside = ImGui::IsMouseHoveringRect(min, max, false);
-  updateRest(panel.rest);
+  updateRest(panel.rest, min, max);
   updateDisplayColors(editor);
   const ImVec2 pad = {theme.space(3), theme.space(3)};
   ImGui::SetCursorScreenPos({min.x + pad.x, min.y + pad.y});

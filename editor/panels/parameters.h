@@ -17,18 +17,11 @@
 #include "editor/panels/param_edit.h"
 #include "editor/panels/param_help.h"
 #include "editor/panels/point_edit.h"
+#include "editor/pointer_rest.h"
 
 namespace pileus::editor {
 
 struct Editor;
-
-/// How long the pointer has rested: help appears then.
-struct PointerRest {
-  ImVec2 at{-1, -1};
-  double since = 0;
-  bool short_ = false, long_ = false;
-  bool inside = false;  ///< the pointer is over the panel
-};
 
 struct Parameters {
   NumberFieldState numbers;
@@ -61,8 +54,6 @@ struct Parameters {
 void drawParameters(Editor& editor, ImVec2 min, ImVec2 max);
 /// What the panel shows: the pinned node, or the selection if it is of one type; else nothing.
 std::vector<std::string> shownNodes(const Editor& editor);
-/// Seconds until help is due under a resting pointer; 0 = none is.
-double helpDueIn(const Parameters& panel);
 
 /// Is something going on in the panel that Esc and letters belong to?
 bool keysAreTaken(const Parameters& panel);

@@ -65,7 +65,7 @@ bool button(Editor& editor, const char* id, Mark mark, const char* help) {
   if (over) draw->AddRectFilled(at, {at.x + width, at.y + size}, palette::kButtonHover, theme.px(4));
   drawMark(theme, draw, {at.x + 0.5f * width, at.y + 0.5f * size}, mark,
            over ? palette::kTextStrong : palette::kText);
-  if (over) tooltip(theme, help);
+  if (over && editor.timeline.rest.short_) tooltip(theme, help);
   ImGui::SameLine(0, theme.px(2));
   return pressed;
 }
@@ -95,7 +95,7 @@ NumberEdit labelled(Editor& editor, const char* id, const char* label, double& v
   const NumberEdit edit =
       numberField(editor.timeline.numbers, theme, trace.c_str(), value, field, theme.px(width));
   editor.trace.item(trace);
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) tooltip(theme, help);
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && editor.timeline.rest.long_) tooltip(theme, help);
   ImGui::SetCursorScreenPos({at.x + name + theme.space(1.5f) + theme.px(width) + theme.space(3), at.y});
   return edit;
 }
@@ -139,7 +139,8 @@ void fields(Editor& editor) {
   double fps = graph.settings.fps;
   NumberField speed;
   speed.softMin = 1, speed.softMax = 120, speed.hardMin = 0.01, speed.hardMax = 1000;
-  const NumberEdit rate = labelled(editor, "fps", "fps", fps, speed, 66, "Frames a second");
+  speed.unit = "fps";
+  const NumberEdit rate = labelled(editor, "fps", "Speed", fps, speed, 84, "Frames a second");
   applySetting(editor, rate, nodes::setFps(editor.document.graph(), fps), "Set frame rate");
 }
 
@@ -149,6 +150,7 @@ void drawTimeline(Editor& editor, ImVec2 min, ImVec2 max) {
   const Theme& theme = editor.theme;
   const float bar = theme.px(36);
   ImDrawList* draw = ImGui::GetWindowDrawList();
+  updateRest(editor.timeline.rest, min, max);
   draw->AddRectFilled(min, max, palette::kPanel);
   draw->AddRectFilled(min, {max.x, min.y + bar}, palette::kBar);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + 0.5f * (bar - ImGui::GetFrameHeight())});

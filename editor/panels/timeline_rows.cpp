@@ -20,7 +20,7 @@ struct Rows {
   Timeline& t;
   const Theme& theme;
   ImDrawList* draw;
-  std::vector<AnimatedRow> rows;
+  const std::vector<AnimatedRow>& rows;
   ImVec2 min, max;  ///< of ruler and rows, names included
   float left, top;  ///< of the keys' area
   float row;        ///< height of one
@@ -71,9 +71,9 @@ void drawNames(const Rows& r) {
     if (y < r.top - r.row || y > r.max.y + r.row) continue;
     if (i % 2)
       r.draw->AddRectFilled({r.min.x, y - 0.5f * r.row}, {r.max.x, y + 0.5f * r.row}, palette::kRowAlt);
-    const std::string name = i == 0 ? "All keys"
-                                    : r.rows[static_cast<std::size_t>(i - 1)].node + " \xc2\xb7 " +
-                                          r.rows[static_cast<std::size_t>(i - 1)].param;
+    const std::string_view name =
+        i == 0 ? std::string_view("All keys") : r.rows[static_cast<std::size_t>(i - 1)].title;
+    if (i > 0) r.editor.trace.note(fmt::format("timeline row {}", i), std::string(name));
     drawText(r.draw, r.theme.small, {r.min.x + r.theme.space(3), y - 0.5f * r.theme.small->FontSize},
              i == 0 ? palette::kTextDim : palette::kText, name, r.left - r.min.x - r.theme.space(5));
   }
@@ -88,7 +88,7 @@ void drawKeys(const Rows& r) {
       r.draw->AddLine({r.x(row.keys.front().frame), r.middle(i)}, {r.x(row.keys.back().frame), r.middle(i)},
                       palette::kAccentDim, r.theme.px(2));
     for (const nodes::AnimationKey& k : row.keys) {
-      const bool selected = r.t.selected.contains({row.node, row.param, k.frame});
+      const bool selected = !r.t.selected.empty() && r.t.selected.contains({row.node, row.param, k.frame});
       drawKey(r, k.frame, 0, selected, nodes::Interpolation::Linear);
       drawKey(r, k.frame, i, selected, k.interpolation);
       if (!r.editor.trace.on()) continue;
@@ -237,13 +237,13 @@ void keyGestures(const Rows& r) {
 /// What is gone is not selected.
 void checkSelection(const Rows& r) {
   if (r.t.drag != Timeline::Drag::None) return;
-  KeySelection there;
-  for (const AnimatedRow& row : r.rows)
-    for (const nodes::AnimationKey& k : row.keys) {
-      const KeyRef ref{row.node, row.param, k.frame};
-      if (r.t.selected.contains(ref)) there.insert(ref);
-    }
-  r.t.selected = std::move(there);
+  std::erase_if(r.t.selected, [&](const KeyRef& ref) {
+    return std::none_of(r.rows.begin(), r.rows.end(), [&](const AnimatedRow& row) {
+      return row.node == ref.node && row.param == ref.param &&
+             std::any_of(row.keys.begin(), row.keys.end(),
+                         [&](const nodes::AnimationKey& k) { return k.frame == ref.frame; });
+    });
+  });
 }
 
 void scrollRows(const Rows& r) {
@@ -262,16 +262,8 @@ void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max) {
   if (!t.fitted) t.scale.fit(editor.document.root().settings.frames), t.fitted = true;
   t.scale.left = static_cast<double>(left);
   t.scale.right = std::max(static_cast<double>(max.x), t.scale.left + 1);
-  Rows r{editor,
-         t,
-         theme,
-         ImGui::GetWindowDrawList(),
-         keyRows(editor.document.graph(), editor.document.selection()),
-         min,
-         max,
-         left,
-         min.y + theme.px(kRuler),
-         theme.px(kRow)};
+  Rows r{editor, t,   theme, ImGui::GetWindowDrawList(), shownRows(t.rows, editor.document),
+         min,    max, left,  min.y + theme.px(kRuler),   theme.px(kRow)};
   checkSelection(r);
   scrollRows(r);
   r.draw->PushClipRect(min, max, true);

@@ -7,7 +7,7 @@ namespace pileus::editor {
 namespace {
 
 AnimatedRow row(const std::string& node, std::initializer_list<double> frames) {
-  AnimatedRow r{node, "x", {}};
+  AnimatedRow r{node, "x", {}, {}};
   for (const double f : frames) r.keys.push_back({f, 1.0, nodes::Interpolation::Linear});
   return r;
 }
@@ -60,6 +60,25 @@ TEST(Timeline, NeighbouringKeys) {
   EXPECT_EQ(keyBeside(rows, 10, -1), 4);
   EXPECT_EQ(keyBeside(rows, 10, 1), std::nullopt);
   EXPECT_EQ(keyBeside(rows, 1, -1), std::nullopt);
+}
+
+TEST(Timeline, RowsBearNamesForTheUserAndAreKept) {
+  nodes::Graph graph = *nodes::addNode(nodes::Graph{}, "volume.medium", {}, "Fog");
+  graph = *nodes::setKey(graph, "Fog", "anisotropy", 1, 0.5);
+  nodes::Document document(graph);
+  KeyRowsCache cache;
+  const std::string label = nodes::findNodeType("volume.medium")->param("anisotropy")->label;
+  ASSERT_EQ(shownRows(cache, document).size(), 1u);
+  EXPECT_EQ(cache.rows[0].title, "Fog \xc2\xb7 " + label);
+  EXPECT_NE(label, "anisotropy");
+  cache.rows[0].title = "kept";
+  EXPECT_EQ(shownRows(cache, document)[0].title, "kept") << "nothing has changed";
+  document.select({"Fog"});
+  EXPECT_NE(shownRows(cache, document)[0].title, "kept");
+  document.edit(*nodes::setKey(document.graph(), "Fog", "anisotropy", 7, 0.2), "key");
+  EXPECT_EQ(shownRows(cache, document)[0].keys.size(), 2u);
+  document.undo();
+  EXPECT_EQ(shownRows(cache, document)[0].keys.size(), 1u);
 }
 
 TEST(PlayClock, FramesFollowTheTimeAndAreDropped) {

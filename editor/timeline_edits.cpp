@@ -10,15 +10,19 @@ namespace {
 
 constexpr char kMove[] = "timeline move";
 
-std::string keysText(std::size_t count) { return count == 1 ? "key" : fmt::format("{} keys", count); }
-
 }  // namespace
 
+std::string keysText(std::size_t count) { return count == 1 ? "key" : fmt::format("{} keys", count); }
+
 void deleteSelectedKeys(Editor& editor) {
+  deleteSelectedKeys(editor, "Delete " + keysText(editor.timeline.selected.size()));
+}
+
+void deleteSelectedKeys(Editor& editor, const std::string& label) {
   KeySelection& selected = editor.timeline.selected;
   nodes::Graph graph = editor.document.graph();
   for (const KeyRef& k : selected) graph = nodes::removeKey(graph, k.node, k.param, k.frame);
-  if (tryEdit(editor, std::move(graph), "Delete " + keysText(selected.size()))) selected.clear();
+  if (tryEdit(editor, std::move(graph), label)) selected.clear();
 }
 
 void interpolateSelectedKeys(Editor& editor, nodes::Interpolation interpolation) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/graph.h"
+#include "nodes/graph_animation.h"
 
 namespace pileus::nodes {
 
@@ -42,6 +42,13 @@ Graph withRelativePaths(const Graph& graph, const std::filesystem::path& from, c
 /// A part of a graph as text for the clipboard, and back with free names; `at` is where its centre goes.
 std::string copyText(const Graph& graph, const std::set<std::string>& names);
 Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std::set<std::string>* pasted = nullptr);
+
+/// Keys as text for the clipboard, and back: the earliest goes to `frame`, the others keep their distance,
+/// keys that are there are replaced. Keys of one node go to the node `onto`, if that is not empty; else to
+/// the nodes they were of. All or none.
+std::string copyKeysText(const Graph& graph, const std::set<KeyAt>& keys);
+Result<Graph> pasteKeysText(const Graph& graph, std::string_view text, double frame,
+                            const std::string& onto = {}, std::set<KeyAt>* pasted = nullptr);
 
 /// "error: where: text" as panels show it; the command line puts the file before it.
 std::string faultText(const Fault& fault);

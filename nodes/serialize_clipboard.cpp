@@ -18,6 +18,8 @@ Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std
   const auto loaded = parseGraph(text);
   if (!loaded) return fail(Code::Input, "the clipboard holds no Pileus nodes ({})", loaded.error().message);
   const Graph& part = loaded->graph;
+  if (part.unknown.contains(kContent))
+    return fail(Code::Input, "the clipboard holds keys, not nodes: paste them over the timeline");
   if (part.nodes.empty()) return fail(Code::Input, "the clipboard holds no Pileus nodes");
   dvec2 low = part.nodes.begin()->second->at, high = low;
   for (const auto& [name, node] : part.nodes) {

@@ -19,6 +19,9 @@ std::string writeJson(const Json& json);
 /// A parameter's constant as a file has it.
 Json paramJson(const ParamValue& value);
 
+/// The member of a clipboard's text, "keys", that sets keys apart from nodes.
+inline constexpr char kContent[] = "content";
+
 /// Graph to and from JSON, without settings for the clipboard.
 Json graphJson(const Graph& graph, bool withSettings);
 /// Reads what it can; everything wrong becomes a fault. `json` is an object of the current format.

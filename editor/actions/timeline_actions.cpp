@@ -1,6 +1,7 @@
 // Commands of the timeline: frames, playback, keys.
 #include "editor/actions/table.h"
 #include "editor/playback.h"
+#include "editor/timeline_clipboard.h"
 #include "editor/timeline_edits.h"
 
 namespace pileus::editor {
@@ -17,8 +18,18 @@ void previousKey(Editor& e) { goToKey(e, -1); }
 
 const Action kActions[] = {
     {"timeline.play", "Play or Pause", "View/Animation", P::Global, {}, togglePlay, nullptr, playing},
-    {"timeline.next", "Next Frame", "View/Animation", P::Timeline, {plain(GLFW_KEY_PERIOD), plain(GLFW_KEY_RIGHT)}, next},
-    {"timeline.previous", "Previous Frame", "View/Animation", P::Timeline, {plain(GLFW_KEY_COMMA), plain(GLFW_KEY_LEFT)}, previous},
+    {"timeline.next",
+     "Next Frame",
+     "View/Animation",
+     P::Timeline,
+     {plain(GLFW_KEY_PERIOD), plain(GLFW_KEY_RIGHT)},
+     next},
+    {"timeline.previous",
+     "Previous Frame",
+     "View/Animation",
+     P::Timeline,
+     {plain(GLFW_KEY_COMMA), plain(GLFW_KEY_LEFT)},
+     previous},
     {"timeline.next_key", "Next Key", "View/Animation", P::Timeline, {shift(GLFW_KEY_PERIOD)}, nextKey},
     {"timeline.previous_key",
      "Previous Key",
@@ -54,6 +65,9 @@ const Action kActions[] = {
      [](Editor& e) { e.timeline.fitted = false; }},
     {"timeline.key", "Set Keys of All Rows", "", P::Timeline, {plain(GLFW_KEY_I)}, keyShownRows},
     {"timeline.select_all", "Select All Keys", "", P::Timeline, {plain(GLFW_KEY_A)}, selectAllKeys},
+    {"timeline.cut", "Cut Keys", "", P::Timeline, {ctrl(GLFW_KEY_X)}, cutSelectedKeys, hasKeys},
+    {"timeline.copy", "Copy Keys", "", P::Timeline, {ctrl(GLFW_KEY_C)}, copySelectedKeys, hasKeys},
+    {"timeline.paste", "Paste Keys", "", P::Timeline, {ctrl(GLFW_KEY_V)}, pasteKeys},
     {"timeline.delete",
      "Delete Keys",
      "",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/actions.h"
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/playback.h"
@@ -209,8 +210,9 @@ void contextMenu(const Rows& r) {
   if (ImGui::MenuItem("Go to Key") && !r.t.selected.empty())
     goToFrame(r.editor, static_cast<int>(std::lround(r.t.selected.begin()->frame)));
   r.editor.trace.item("timeline/menu/go");
-  if (ImGui::MenuItem("Delete Keys", "Delete")) deleteSelectedKeys(r.editor);
-  r.editor.trace.item("timeline/menu/delete");
+  ImGui::Separator();
+  for (const char* id : {"timeline.cut", "timeline.copy", "timeline.paste", "timeline.delete"})
+    actionMenuItem(r.editor, id);
   ImGui::EndPopup();
 }
 

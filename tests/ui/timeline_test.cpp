@@ -3,6 +3,8 @@
 #include "renderer/image/metrics.h"
 #include "tests/ui/ui_session.h"
 
+#include <set>
+
 namespace pileus::test {
 namespace {
 
@@ -81,6 +83,51 @@ TEST(TimelineWindow, KeysAreDraggedSetAndDeletedInOneStepEach) {
   ui.click("key/Box.density/25", 3);
   ui.click("timeline/menu/constant");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == "Interpolate key"; }, 5));
+}
+
+TEST(TimelineWindow, KeysGoThroughTheClipboard) {
+  UiSession ui({1440, 900}, {graphFile().string()}, kOpen);
+  ASSERT_TRUE(ui.running()) << ui.log();
+  const auto keys = [](const json& t) { return t["document"]["nodes"]["Box"]["params"]["density"]["keys"]; };
+  ui.move(ui.center("timeline/keys"));
+  ui.key("a");
+  ui.key("ctrl+c");
+  ui.click("timeline/frame", 1);
+  ui.move(ui.center("timeline/keys"));
+  ui.key("Home");
+  for (int i = 0; i < 5; ++i) ui.key("period");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["frame"] == 6; }, 5));
+  ui.key("ctrl+v");
+  EXPECT_TRUE(ui.waitFor(
+      [&](const json& t) {
+        return t["undo"] == "Paste 2 keys at frame 6" &&
+               keys(t) == json::parse(R"([[1,1,"linear"],[6,1,"linear"],[25,4,"linear"],[30,4,"linear"]])");
+      },
+      5))
+      << keys(ui.trace());
+  EXPECT_EQ(ui.trace()["notes"]["timeline row 1"], "Box \xc2\xb7 Density");
+  ui.screenshot("timeline_pasted");
+  ui.key("ctrl+x");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["undo"] == "Cut 2 keys" && keys(t).size() == 2; }, 5));
+  ui.key("ctrl+z");
+  ui.key("ctrl+z");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["undo"] == "" && keys(t).size() == 2; }, 5))
+      << "one step each";
+
+  // Nodes on the clipboard are no keys.
+  ui.click("header/Box");
+  ui.move(ui.emptySpot());
+  ui.key("ctrl+c");
+  ui.move(ui.center("timeline/keys"));
+  ui.key("ctrl+v");
+  EXPECT_TRUE(ui.waitFor(
+      [](const json& t) {
+        return t["message"].get<std::string>().find("the clipboard holds no keys") != std::string::npos;
+      },
+      5))
+      << ui.trace()["message"];
+  ui.screenshot("timeline_refused");
+  EXPECT_EQ(ui.trace()["undo"], "");
 }
 
 TEST(TimelineWindow, PlaysInRealTimeAndStops) {

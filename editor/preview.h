@@ -55,6 +55,8 @@ class Preview {
   const std::string& error() const { return error_; }
   /// Of the picture last begun, and how many requests have been answered, drafts included.
   int frame() const { return current_.frame; }
+  /// Something is being dragged, or was a moment ago.
+  bool interacting() const { return touched_ && rest_.ms() < 150; }
   std::uint64_t answered() const { return answered_; }
   double lastStepMs() const { return lastStepMs_; }
   /// Of the last whole draft; total 0: there was none.
@@ -68,7 +70,6 @@ class Preview {
   void forgetPicture() { picture_.reset(), whole_.reset(); }
 
  private:
-  bool interacting() const { return touched_ && rest_.ms() < 150; }
   void begin(const PreviewRequest& wanted, bool draft);
   void takePicture(bool draft);
   std::shared_ptr<const view::Picture> seed() const;

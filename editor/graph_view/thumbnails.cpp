@@ -17,7 +17,7 @@ namespace {
 constexpr int kEdge = 160;        // pixels of an image's longer side
 constexpr int kTile = 40;         // pixels of a map's tile
 constexpr int kFirstSlot = 4096;  // of the display's textures
-constexpr double kEvery = 1;      // seconds between two pictures while one still improves
+constexpr double kEvery = 1;      // seconds between two pictures while one still improves or frames go by
 
 ivec2 fitted(ivec2 size) {
   const double scale = static_cast<double>(kEdge) / std::max({size.x, size.y, 1});
@@ -31,17 +31,32 @@ std::shared_ptr<const view::Picture> pictureOf(const nodes::SocketValue* value) 
 
 }  // namespace
 
+bool Thumbnails::passing(const Editor& editor, const Entry& e) const {
+  const bool moving = editor.timeline.clock.playing() || editor.preview.interacting();
+  return moving && e.picture.texture && e.frame != editor.frame && ImGui::GetTime() - e.madeAt < kEvery;
+}
+
+void Thumbnails::made(const Editor& editor, Entry& e) {
+  e.madeAt = ImGui::GetTime();
+  e.frame = editor.preview.frame();
+}
+
+int Thumbnails::frameOf(const std::string& name) const {
+  const auto it = entries_.find(name);
+  return it == entries_.end() || !it->second.picture.texture ? 0 : it->second.frame;
+}
+
 NodePicture Thumbnails::image(Editor& editor, const std::string& name) {
   const std::shared_ptr<const view::Picture> picture =
       pictureOf(shownImage(editor.preview.evaluator(), editor.document.root(), evaluatedName(editor, name)));
   Entry& e = entries_[name];
-  if (!picture || picture->size.x <= 0 || !editor.viewport.colors) return e.picture;
+  if (!picture || picture->size.x <= 0 || !editor.viewport.colors || passing(editor, e)) return e.picture;
   const view::DisplaySettings settings = displaySettings(editor);
   const std::string display = fmt::format("{}|{}|{}|{}|{}|{}", settings.display, settings.view, settings.look,
                                           settings.exposure, settings.gamma, settings.raw);
   const bool same = e.source == picture && e.fraction == picture->fraction && e.display == display;
-  const double now = ImGui::GetTime();
-  if (same || (e.picture.texture && picture->fraction < 1 && now - e.madeAt < kEvery)) return e.picture;
+  if (same || (e.picture.texture && picture->fraction < 1 && ImGui::GetTime() - e.madeAt < kEvery))
+    return e.picture;
   if (e.slot == 0) e.slot = kFirstSlot + slots_++;
   view::DisplaySettings plain;
   plain.display = settings.display, plain.view = settings.view, plain.look = settings.look;
@@ -51,9 +66,9 @@ NodePicture Thumbnails::image(Editor& editor, const std::string& name) {
                                                                 *editor.viewport.colors, plain, e.slot);
   e.source = picture;
   e.fraction = picture->fraction;
-  e.madeAt = now;
   e.display = display;
   e.picture = {texture ? *texture : 0u, size, 0};
+  made(editor, e);
   return e.picture;
 }
 
@@ -72,11 +87,12 @@ NodePicture Thumbnails::map(Editor& editor, const std::string& name, const nodes
   }
   const std::shared_ptr<const void> source =
       shadow ? std::shared_ptr<const void>(shadow) : std::shared_ptr<const void>(metric);
-  if (!source || source == e.source) return e.picture;
+  if (!source || source == e.source || passing(editor, e)) return e.picture;
   const shadow::Gpu gpu = editor.renderer->gpu();
   const Result<int> tiles = shadow ? view::drawMapThumbnail(gpu, *shadow, kTile, e.texture)
                                    : view::drawMapThumbnail(gpu, *metric, kTile, e.texture);
   e.source = source;
+  made(editor, e);
   e.picture = {};
   if (tiles && *tiles > 0) e.picture = {e.texture.id(), ivec2(kTile), *tiles};
   return e.picture;
@@ -84,8 +100,11 @@ NodePicture Thumbnails::map(Editor& editor, const std::string& name, const nodes
 
 NodePicture nodePicture(Editor& editor, const NodePlace& place) {
   Thumbnails& all = editor.canvas.pictures;
-  return place.thumbnail == Thumbnail::Map ? all.map(editor, place.name, *place.type)
-                                           : all.image(editor, place.name);
+  const NodePicture picture = place.thumbnail == Thumbnail::Map ? all.map(editor, place.name, *place.type)
+                                                                : all.image(editor, place.name);
+  if (editor.trace.on())
+    editor.trace.note("thumbnail " + place.name, std::to_string(all.frameOf(place.name)));
+  return picture;
 }
 
 void toggleThumbnails(Editor& editor) {

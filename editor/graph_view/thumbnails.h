@@ -1,6 +1,6 @@
 #pragma once
 // Pictures on nodes: what an image node shows, and the coefficients of a shadow map. Made when they are first
-// seen, and again when what they show has changed.
+// seen, and again when what they show has changed; while frames go by, once a second, and when they rest.
 #include <map>
 #include <memory>
 #include <string>
@@ -16,16 +16,23 @@ class Thumbnails {
  public:
   NodePicture image(Editor& editor, const std::string& name);
   NodePicture map(Editor& editor, const std::string& name, const nodes::NodeType& type);
+  /// Of the picture that is there; 0 = none is.
+  int frameOf(const std::string& name) const;
 
  private:
   struct Entry {
     std::shared_ptr<const void> source;  ///< what it was made from
-    double fraction = -1, madeAt = 0;
+    double fraction = -1, madeAt = -1;
+    int frame = 0;
     std::string display;  ///< settings of the display transform
     int slot = 0;         ///< of the display's textures
     gl::Texture texture;  ///< of a map
     NodePicture picture;
   };
+  /// Another frame is shown, but soon the next one: what is there stays for now.
+  bool passing(const Editor& editor, const Entry& e) const;
+  void made(const Editor& editor, Entry& e);
+
   std::map<std::string, Entry> entries_;
   int slots_ = 0;
 };

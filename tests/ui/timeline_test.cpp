@@ -204,6 +204,53 @@ TEST(TimelineWindow, EscTakesADragBack) {
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == ""; }, 5)) << ui.trace()["undo"];
 }
 
+TEST(TimelineWindow, PicturesOnNodesFollowTheFrame) {
+  const fs::path file = scratchFolder() / "pictures.json";
+  std::ofstream(file) << R"({ "pileus": 1, "settings": { "size": [64, 36], "frames": [1, 48] }, "nodes": {
+    "Box": { "type": "volume.box", "at": [0, 0], "params": { "density": { "keys": [
+      [1, 0.2, "linear"], [48, 6, "linear"] ] } } },
+    "Sun": { "type": "light.sun", "at": [0, 260] },
+    "Map": { "type": "shadow.extinction", "at": [260, 260], "params": { "resolution": 64 } },
+    "Render": { "type": "render.volume", "at": [520, 0], "params": { "samples": 1 } },
+    "View": { "type": "output.view", "at": [780, 0] } },
+    "links": [ "Box.volume -> Map.volumes", "Sun.light -> Map.light", "Box.volume -> Render.volumes",
+               "Map.light -> Render.lights", "Render.image -> View.image" ] })";
+  UiSession ui({1440, 900}, {file.string()}, {{"showTimeline", true}, {"showThumbnails", true}});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  const auto show = [](int frame) {
+    return [=](const json& t) {
+      const std::string f = std::to_string(frame);
+      return t["frame"] == frame && t["notes"].value("thumbnail Render", "") == f &&
+             t["notes"].value("thumbnail Map", "") == f;
+    };
+  };
+  ASSERT_TRUE(ui.waitFor(show(1), 60)) << ui.trace()["notes"];
+  ui.screenshot("timeline_thumbnails_1");
+  const Rect ruler = rectOf(ui, "timeline/ruler");
+  const double y = 0.5 * (ruler.top + ruler.bottom);
+  ui.drag({ruler.left + 60, y}, {ruler.left + 0.9 * (ruler.right - ruler.left), y});
+  pause(0.5);
+  const int rest = ui.trace()["frame"];
+  EXPECT_GT(rest, 30);
+  EXPECT_TRUE(ui.waitFor(show(rest), 20)) << "at rest: " << ui.trace()["notes"];
+  ui.screenshot("timeline_thumbnails_2");
+  ui.click("timeline/play");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 1; }));
+  std::set<std::string> seen, frames;
+  for (int i = 0; i < 60; ++i, pause(0.05)) {
+    const json t = ui.trace();
+    seen.insert(t["notes"].value("thumbnail Render", ""));
+    frames.insert(t["frame"].dump());
+  }
+  EXPECT_GE(seen.size(), 2u) << "they go along while it plays";
+  EXPECT_LE(seen.size(), 6u) << "but not with every frame";
+  EXPECT_GT(frames.size(), 6u);
+  ui.move(ui.center("timeline/ruler"));
+  ui.key("k");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 0; }));
+  EXPECT_TRUE(ui.waitFor(show(ui.trace()["frame"]), 20)) << ui.trace()["notes"];
+}
+
 TEST(TimelineWindow, APictureOfItsFrameIsExported) {
   const fs::path folder = scratchFolder(), file = folder / "moving.json";
   std::ofstream(file) << R"({ "pileus": 1, "settings": { "size": [64, 36], "frames": [1, 48] }, "nodes": {
@@ -225,8 +272,8 @@ TEST(TimelineWindow, APictureOfItsFrameIsExported) {
   ASSERT_TRUE(ui.waitRect("browser/name"));
   ui.type((folder / "window.exr").string());
   ui.key("Return");
-  ASSERT_TRUE(ui.waitFor(
-      [](const json& t) { return t["message"].get<std::string>().starts_with("Exported"); }, 60))
+  ASSERT_TRUE(
+      ui.waitFor([](const json& t) { return t["message"].get<std::string>().starts_with("Exported"); }, 60))
       << ui.trace()["message"];
   const auto render = [&](const std::string& frame) {
     const fs::path out = folder / ("frame" + frame + ".exr");

@@ -1,35 +1,23 @@
 #include "renderer/volume/vdb_file.h"
 
 #include <openvdb/io/File.h>
-#include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/points/PointDataGrid.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "renderer/volume/brick_builder.h"
 #include "renderer/volume/grid_guess.h"
+#include "renderer/volume/vdb_damage.h"
+#include "renderer/volume/vdb_text.h"
 
 namespace pileus::volume {
 namespace {
 
 using openvdb::Coord;
 using openvdb::CoordBBox;
-
-/// Text from a hostile file: printable, on one line, not too long.
-std::string clean(std::string_view text, std::size_t longest = 120) {
-  std::string out;
-  for (char c : text.substr(0, longest)) {
-    const auto u = static_cast<unsigned char>(c);
-    out += u < 32 || u == 127 ? '?' : c;
-  }
-  if (text.size() > longest) out += "...";
-  return out;
-}
 
 ivec3 toIvec(const Coord& c) { return {c.x(), c.y(), c.z()}; }
 
@@ -42,24 +30,10 @@ dmat4 toMatrix(const openvdb::math::Transform& t) {
   return out;
 }
 
-std::string describeTransform(const openvdb::math::Transform& t) {
-  static const std::map<std::string, std::string> words = {
-      {"UniformScaleMap", "uniform scale"},
-      {"UniformScaleTranslateMap", "uniform scale and translation"},
-      {"ScaleMap", "scale"},
-      {"ScaleTranslateMap", "scale and translation"},
-      {"TranslationMap", "translation"},
-      {"UnitaryMap", "rotation"},
-      {"AffineMap", "affine"},
-      {"NonlinearFrustumMap", "frustum (not affine)"}};
-  const auto it = words.find(t.mapType());
-  return it == words.end() ? clean(t.mapType()) : it->second;
-}
-
 std::string valueTypeOf(const openvdb::GridBase& g) {
   if (g.isType<openvdb::points::PointDataGrid>()) return "points";
   if (g.saveFloatAsHalf() && g.valueType() == "float") return "half";
-  return clean(g.valueType());
+  return cleanText(g.valueType());
 }
 
 /// Calls f with the grid as its own type if its values are scalars.
@@ -188,20 +162,11 @@ class TreeBlocks {
   std::vector<std::uint8_t> touched_;
 };
 
-/// file_bbox is never trusted, but one that claims an absurd size for a tree that holds nothing betrays a
-/// damaged file; an empty or inverted one only says that there is nothing.
 std::optional<std::string> absurdClaim(const openvdb::GridBase& g) {
   const auto lowest = g.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
   const auto highest = g.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MAX);
   if (!lowest || !highest) return std::nullopt;
-  std::int64_t largest = 0;
-  for (int a = 0; a < 3; ++a) {
-    const std::int64_t extent = std::int64_t(highest->value()[a]) - lowest->value()[a] + 1;
-    if (extent <= 0) return std::nullopt;
-    largest = std::max(largest, extent);
-  }
-  if (largest <= BuildLimits{}.extent) return std::nullopt;
-  return fmt::format("it claims bounds {} voxels wide, but holds no voxels: the file is damaged", largest);
+  return absurdBounds(toIvec(Coord(lowest->value())), toIvec(Coord(highest->value())));
 }
 
 int rankOf(const openvdb::GridBase& g) {
@@ -221,48 +186,12 @@ int rankOf(const openvdb::GridBase& g) {
 /// Why such a grid is never drawn; empty: it may be.
 std::string undrawable(const openvdb::GridBase& g) {
   if (g.isType<openvdb::points::PointDataGrid>()) return "is a point grid; points are not drawn";
-  if (!isScalar(g)) return fmt::format("holds {} values; only scalar grids are drawn", clean(g.valueType()));
+  if (!isScalar(g))
+    return fmt::format("holds {} values; only scalar grids are drawn", cleanText(g.valueType()));
   if (g.getGridClass() == openvdb::GRID_LEVEL_SET)
     return "is a level set (distances to a surface); only fog volumes are drawn";
   return {};
 }
-
-/// OpenVDB does not notice a file that ends too early: it goes on with zeros. This reads the header strictly
-/// and compares where the grids should end with where the file does.
-class Extent : private openvdb::io::Archive {
- public:
-  /// Empty: the file is as long as it says.
-  std::string whatIsMissing(const std::filesystem::path& path) {
-    const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
-    std::ifstream is(path, std::ios::binary);
-    try {
-      is.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
-      readHeader(is);
-      setFormatVersion(is);
-      setLibraryVersion(is);
-      openvdb::MetaMap metadata;
-      metadata.readMeta(is);
-      if (!inputHasGridOffsets()) {  // written to a stream: only reading it through tells
-        is.seekg(0);
-        openvdb::io::Stream whole(is, false);
-        return {};
-      }
-      for (auto n = readGridCount(is); n > 0; --n) {
-        openvdb::io::GridDescriptor grid;
-        grid.read(is);
-        if (grid.getGridPos() < 0 || grid.getEndPos() < grid.getGridPos())
-          return "is damaged: a grid's position in the file is absurd";
-        if (grid.getEndPos() > size)
-          return fmt::format("is truncated: grid '{}' ends at byte {}, but the file has {}",
-                             clean(grid.gridName()), grid.getEndPos(), size);
-        grid.seekToEnd(is);
-      }
-    } catch (const std::ios_base::failure&) {
-      return fmt::format("is truncated: it ends after {} bytes, within the description of its grids", size);
-    }
-    return {};
-  }
-};
 
 }  // namespace
 
@@ -286,7 +215,7 @@ void VdbFile::Impl::list() {
   std::map<std::string, std::vector<Entry>> byName;
   for (auto it = file->beginName(); it != file->endName(); ++it) {
     Entry e{it.gridName(), {}, {}, file->readGridMetadata(it.gridName())};
-    e.base = e.metadata->getName().empty() ? "unnamed" : clean(e.metadata->getName());
+    e.base = e.metadata->getName().empty() ? "unnamed" : cleanText(e.metadata->getName());
     byName[e.base].push_back(std::move(e));
   }
   for (auto& [base, group] : byName) {
@@ -324,7 +253,7 @@ Result<const VdbFile::Impl::Entry*> VdbFile::Impl::find(const std::string& name)
     if (e.base == name || e.handle == name) return &e;
   std::string names;
   for (const Entry& e : entries) names += fmt::format("{}{}", names.empty() ? "" : ", ", e.name);
-  return fail(Code::Input, "it has no grid '{}'; its grids are: {}", clean(name), names);
+  return fail(Code::Input, "it has no grid '{}'; its grids are: {}", cleanText(name), names);
 }
 
 GridInfo VdbFile::Impl::describe(const Entry& entry) const {
@@ -333,8 +262,8 @@ GridInfo VdbFile::Impl::describe(const Entry& entry) const {
   g.name = entry.name;
   g.gridClass = openvdb::GridBase::gridClassToString(meta.getGridClass());
   g.valueType = valueTypeOf(meta);
-  g.transform = describeTransform(meta.transform());
-  g.creator = clean(meta.getCreator());
+  g.transform = transformWords(meta.transform().mapType());
+  g.creator = cleanText(meta.getCreator());
   const bool affine = meta.transform().isLinear();
   if (affine) g.worldFromIndex = toMatrix(meta.transform());
   const auto size = meta.voxelSize();
@@ -382,22 +311,21 @@ Result<std::unique_ptr<VdbFile>> VdbFile::open(const std::filesystem::path& path
   std::unique_ptr<VdbFile> out(new VdbFile);
   out->impl_->file = std::make_unique<openvdb::io::File>(path.string());
   try {
-    if (const std::string missing = Extent().whatIsMissing(path); !missing.empty())
-      return Error{Code::Input, missing};
+    if (const std::string missing = whatIsMissing(path); !missing.empty()) return Error{Code::Input, missing};
     out->impl_->file->open(false);  // no delayed loading
     out->impl_->list();
   } catch (const openvdb::Exception& e) {
-    return fail(Code::Input, "is damaged or truncated ({})", clean(e.what(), 300));
+    return fail(Code::Input, "is damaged or truncated ({})", cleanText(e.what(), 300));
   }
   return out;
 }
 
 Result<VdbInfo> VdbFile::info(JobControl& control) {
   VdbInfo info;
-  info.version = clean(impl_->file->version());
+  info.version = cleanText(impl_->file->version());
   if (const auto metadata = impl_->file->getMetadata())
     for (auto it = metadata->beginMeta(); it != metadata->endMeta(); ++it)
-      info.metadata.emplace_back(clean(it->first), clean(it->second->str(), 400));
+      info.metadata.emplace_back(cleanText(it->first), cleanText(it->second->str(), 400));
   const auto* chosen = impl_->choose();
   for (const auto& entry : impl_->entries) {
     if (&entry == chosen && rankOf(*entry.metadata) < 7) info.chosen = static_cast<int>(info.grids.size());
@@ -421,7 +349,7 @@ Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& co
   if (const std::string why = undrawable(meta); !why.empty()) return empty(why);
   if (!meta.transform().isLinear())
     return fail(Code::Input, "grid '{}': its transform is not affine ({}); resample it to a uniform grid",
-                entry->name, describeTransform(meta.transform()));
+                entry->name, transformWords(meta.transform().mapType()));
   const auto grid = impl_->file->readGrid(entry->handle);
   control.progress(0.3);
   const CoordBBox box = grid->evalActiveVoxelBoundingBox();

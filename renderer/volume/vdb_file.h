@@ -1,6 +1,6 @@
 #pragma once
-// An open .vdb file, parsed in this process: for the import child only (see vdb_import.h). The one user of
-// OpenVDB.
+// An open .vdb file, parsed in this process: for the import child only (see vdb_import.h). With
+// vdb_damage, the one user of OpenVDB.
 #include <filesystem>
 #include <memory>
 #include <string>

@@ -1,113 +1,17 @@
-// The reference against closed forms, against brute force, and against an estimator that shares nothing with
-// it.
+// The reference against closed forms and symmetries.
 #include "renderer/shadow/reference.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <functional>
 
-#include "renderer/volume/brick_builder.h"
-#include "renderer/volume/vdb_child.h"
-#include "renderer/volume/vdb_import.h"
 #include "tests/support/support.h"
-
-extern "C" int pileusTestChild(int argc, char** argv) { return pileus::volume::importChildMain(argc, argv); }
+#include "tests/unit/shadow/reference_scenes.h"
 
 namespace pileus::shadow {
 namespace {
-
-using volume::BrickGrid;
-using volume::GridPtr;
-using volume::Instance;
-using volume::InstanceList;
-using volume::kBrickSize;
-using volume::kStoredSize;
-using volume::Shape;
-
-struct Random {
-  std::mt19937_64 rng;
-  double unit() { return std::uniform_real_distribution<double>(0, 1)(rng); }
-  dvec3 point(const dvec3& lo, const dvec3& hi) { return lo + dvec3(unit(), unit(), unit()) * (hi - lo); }
-};
-
-Instance shape(Shape kind, const dmat4& worldFromLocal, double sigma) {
-  Instance i;
-  i.shape = kind;
-  i.worldFromLocal = worldFromLocal;
-  i.density = 0.5;
-  i.medium.extinction = 2 * sigma;
-  return i;
-}
-
-Instance placed(const GridPtr& grid, const dmat4& worldFromLocal, double extinction = 1) {
-  Instance i;
-  i.shape = Shape::Grid;
-  i.grid = grid;
-  i.worldFromLocal = worldFromLocal;
-  i.medium.extinction = extinction;
-  return i;
-}
-
-/// A grid whose every stored byte is chosen: byte(index coordinates of the voxel), from the brick `b`.
-GridPtr gridOfBytes(ivec3 bricks, const std::function<volume::Brick(ivec3 b)>& brick,
-                    const std::function<unsigned(ivec3 b, ivec3 local)>& byte) {
-  auto g = std::make_shared<BrickGrid>();
-  g->name = "bytes";
-  g->indexBounds = {dvec3(0.0), dvec3(bricks * kBrickSize)};
-  g->levels.push_back({bricks, {}});
-  auto bytes = std::make_shared<std::vector<std::byte>>();
-  for (int z = 0; z < bricks.z; ++z)
-    for (int y = 0; y < bricks.y; ++y)
-      for (int x = 0; x < bricks.x; ++x) {
-        volume::Brick b = brick({x, y, z});
-        g->maximum = std::max({g->maximum, b.offset, b.offset + b.scale});
-        if (b.scale != 0) {
-          b.payload = g->payloadCount++;
-          for (int k = -1; k <= kBrickSize; ++k)
-            for (int j = -1; j <= kBrickSize; ++j)
-              for (int i = -1; i <= kBrickSize; ++i) bytes->push_back(std::byte(byte({x, y, z}, {i, j, k})));
-        }
-        g->levels[0].table.push_back(b);
-      }
-  g->payload = std::shared_ptr<const std::byte>(bytes, bytes->data());
-  return g;
-}
-
-/// Bricks of random bytes with ranges of their own; some are constant, some empty.
-GridPtr randomGrid(ivec3 bricks, std::uint64_t seed) {
-  auto r = std::make_shared<Random>(Random{std::mt19937_64(seed)});
-  return gridOfBytes(
-      bricks,
-      [r](ivec3) {
-        volume::Brick b;
-        const double kind = r->unit();
-        if (kind < 0.2) return b;
-        b.offset = float(r->unit());
-        if (kind > 0.4) b.scale = float(0.1 + r->unit());
-        return b;
-      },
-      [r](ivec3, ivec3) { return unsigned(r->rng() & 255); });
-}
-
-template <class F>
-GridPtr gridOf(ivec3 lo, ivec3 hi, const F& f) {
-  volume::VoxelSource s;
-  s.name = "test";
-  s.activeMin = lo;
-  s.activeMax = hi;
-  s.fill = [&f](ivec3 from, float* out) {
-    for (int z = 0; z < kStoredSize; ++z)
-      for (int y = 0; y < kStoredSize; ++y)
-        for (int x = 0; x < kStoredSize; ++x) *out++ = static_cast<float>(f(dvec3(from + ivec3(x, y, z))));
-    return volume::Fill::Voxels;
-  };
-  JobControl control;
-  return volume::buildBricks(s, control)->grid;
-}
 
 /// All crossings of integer planes, sorted, and three Gauss points between each two: exact too, and built
 /// from point samples. Only inside the bounds: random bytes are not 0 in the near apron, where a built grid
@@ -132,15 +36,6 @@ double byCrossings(const Instance& i, const dvec3& from, const dvec3& to) {
   }
   return tau;
 }
-
-double midpoint(const InstanceList& list, const dvec3& from, const dvec3& to, int samples) {
-  double sum = 0;
-  for (int k = 0; k < samples; ++k)
-    for (const Instance& i : list) sum += volume::sigmaAt(i, from + (to - from) * ((k + 0.5) / samples));
-  return sum * glm::length(to - from) / samples;
-}
-
-const dmat4 kTilted = composeTransform({3, -2, 5}, {20, 130, -50}, {-0.7, 1.9, 0.4});
 
 TEST(Reference, ChordsOfBoxAndBallAreExact) {
   Random random{std::mt19937_64(1)};
@@ -287,14 +182,6 @@ TEST(Reference, PlacementsScaleDepthByLengthAlone) {
   }
 }
 
-InstanceList crowd() {
-  return {placed(randomGrid(ivec3(2), 10), composeTransform(dvec3(-1), dvec3(10, 0, 30), dvec3(0.1)), 0.3),
-          placed(randomGrid(ivec3(2, 1, 1), 11), composeTransform({0, 0.5, 0}, {0, 45, 0}, {0.1, -0.1, 0.2}),
-                 0.4),
-          shape(Shape::Box, composeTransform({0.5, 0, 0}, {0, 0, 20}, {2, 1, 3}), 0.3),
-          shape(Shape::Ball, composeTransform({1, 1, 1}, dvec3(0), {1, 2, 1}), 0.5)};
-}
-
 TEST(Reference, OverlapsAddUpAndReversalChangesNothing) {
   const InstanceList list = crowd();
   Random random{std::mt19937_64(12)};
@@ -347,71 +234,6 @@ TEST(Reference, LightsAreReachedFromInsideAndOutside) {
   }
   EXPECT_EQ(opticalDepthToLight({}, sun, dvec3(0)), 0);
   EXPECT_EQ(opticalDepthToLight(list, sun, sun.towards * 100.0), 0);
-}
-
-TEST(Reference, RatioTrackingAgreesWithinItsNoise) {
-  const InstanceList list = crowd();
-  std::mt19937_64 rng(15);
-  const dvec3 rays[][2] = {{{-3, 0, 0}, {4, 0.3, 0.2}},
-                           {{0, 3, 0.2}, {1, -2, 1}},
-                           {{0.1, 0.2, 0.3}, {2, 2, 2}},
-                           {{-2, -2, -2}, {-1, 3, 2}}};
-  for (const auto& ray : rays) {
-    const double want = std::exp(-opticalDepth(list, ray[0], ray[1]));
-    double sum = 0, square = 0;
-    const int n = 40000;
-    for (int k = 0; k < n; ++k) {
-      const double t = ratioTracking(list, ray[0], ray[1], rng);
-      sum += t;
-      square += t * t;
-    }
-    const double mean = sum / n, error = std::sqrt((square / n - mean * mean) / n);
-    std::printf("T %.5f, ratio tracking %.5f +- %.5f\n", want, mean, error);
-    EXPECT_LE(std::abs(mean - want), 4 * error);
-    EXPECT_LT(error, 0.003);
-    EXPECT_LT(want, 0.9);
-  }
-}
-
-TEST(Reference, SmokeMatchesBruteForce) {
-  PILEUS_NEEDS_DATA();
-  JobControl control;
-  volume::ImportLimits limits;
-  limits.executable = PILEUS_BINARY;
-  const auto imported = volume::importVdb(*test::dataFolder() / "vdb" / "smoke1.vdb", "", control, limits);
-  ASSERT_TRUE(imported) << imported.error().message;
-  const Instance smoke = placed(imported->grid, imported->grid->worldFromIndex, 0.5);
-  const Box3 box = volume::worldBounds(smoke);
-  Random random{std::mt19937_64(16)};
-  double worst = 0;
-  for (int n = 0; n < 8; ++n) {
-    const dvec3 a = random.point(box.min, dvec3(box.min.x, box.max.y, box.max.z)),
-                b = random.point(dvec3(box.max.x, box.min.y, box.min.z), box.max);
-    const double want = midpoint({smoke}, a, b, 200000), have = opticalDepth({smoke}, a, b);
-    EXPECT_NEAR(have, want, 2e-6 * (1 + want)) << n;
-    worst = std::max(worst, std::abs(have - want) / (1 + want));
-  }
-  std::printf("smoke1: largest difference %.1e\n", worst);
-}
-
-TEST(Reference, WalksMillionsOfCellsASecond) {
-  const GridPtr grid = randomGrid(ivec3(8), 17);
-  const InstanceList list{placed(grid, dmat4(1.0))};
-  Random random{std::mt19937_64(18)};
-  const auto start = std::chrono::steady_clock::now();
-  double cells = 0, tau = 0;
-  for (int n = 0; n < 3000; ++n) {
-    const dvec3 a = random.point(dvec3(0), dvec3(0, 128, 128)),
-                b = random.point(dvec3(128, 0, 0), dvec3(128));
-    tau += opticalDepth(list, a, b);
-    cells += std::abs(b.x - a.x) + std::abs(b.y - a.y) + std::abs(b.z - a.z);
-  }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("%.1f million cells a second\n", cells / seconds * 1e-6);
-  EXPECT_GT(tau, 0);
-#ifdef NDEBUG
-  EXPECT_GT(cells / seconds, 2e6);
-#endif
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ vec4 remapRow(const volume::Instance& i, Texels& texels) {
   if (!table) return vec4(-1, 0, 0, 0);
   const double perDensity = (REMAP_ENTRIES - 1) / (table->highest - table->lowest);
   const double most = std::numeric_limits<float>::max();
-  return vec4(float(texels.add(*table)), float(perDensity), float(-table->lowest * perDensity), float(std::clamp(table->emptyUpTo(), -most, most)));
+  return vec4(float(texels.add(*table)), float(perDensity), float(-table->lowest * perDensity),
+              float(std::clamp(table->emptyUpTo, -most, most)));
 }
 
 gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {

@@ -58,7 +58,7 @@ bool emits(const Instance& i) {
 
 bool occupied(const Instance& i, const Brick& brick) {
   const RemapPtr& table = i.emission ? i.emission : i.remap;
-  return double(brick.maximum) > (table ? table->emptyUpTo() : 0.0);
+  return double(brick.maximum) > (table ? table->emptyUpTo : 0.0);
 }
 
 double majorant(const Instance& i) { return i.emission ? 0.0 : std::max(0.0, largestDensity(i) * i.medium.extinction); }

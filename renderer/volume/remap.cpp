@@ -22,7 +22,9 @@ double DensityRemap::largest(double from, double to) const {
   return most;
 }
 
-double DensityRemap::emptyUpTo() const {
+namespace {
+
+double emptyUpTo(double lowest, double highest, const std::vector<vec4>& entries) {
   const auto first = std::find_if(entries.begin(), entries.end(), [](const vec4& e) { return e.a > 0; });
   if (first == entries.end()) return std::numeric_limits<double>::infinity();
   if (first == entries.begin()) return -std::numeric_limits<double>::infinity();
@@ -30,8 +32,11 @@ double DensityRemap::emptyUpTo() const {
   return lowest + (highest - lowest) * (zeros - 1) / (kRemapEntries - 1);
 }
 
+}  // namespace
+
 RemapPtr makeRemap(double lowest, double highest, std::vector<vec4> of) {
-  DensityRemap remap{lowest, highest, std::move(of), {}};
+  const double empty = emptyUpTo(lowest, highest, of);
+  DensityRemap remap{lowest, highest, std::move(of), empty, {}};
   Hasher h;
   h.add(lowest).add(highest);
   for (const vec4& e : remap.entries) h.add(e.r).add(e.g).add(e.b).add(e.a);

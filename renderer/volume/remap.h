@@ -15,15 +15,15 @@ inline constexpr int kRemapEntries = 256;
 struct DensityRemap {
   double lowest = 0, highest = 1;  ///< densities of the first and the last entry, which also hold beyond
   std::vector<vec4> entries;       ///< kRemapEntries; rgb: factor of the albedo, a: density, not negative
-  Key content;                     ///< of the above
+  /// Every density up to this becomes 0; minus infinity: not even 0 does. Asked for each brick, so it is kept.
+  double emptyUpTo = 0;
+  Key content;  ///< of the above
 
   /// Twin of remapped() in lib/volume.glsl, in double precision.
   dvec4 at(double density) const;
   double density(double of) const { return at(of).w; }
   /// The largest density that those from .. to become.
   double largest(double from, double to) const;
-  /// Every density up to this becomes 0; minus infinity: not even 0 does.
-  double emptyUpTo() const;
 };
 
 using RemapPtr = std::shared_ptr<const DensityRemap>;

@@ -24,7 +24,7 @@ TEST(Emission, TheTableIsTheBlackBodysLight) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], middle[c], 2e-3 * middle[c]);
   EXPECT_EQ(table->at(2), dvec4(0)) << "nothing glows where the curve is 0";
   EXPECT_EQ(table->at(0), dvec4(0));
-  EXPECT_EQ(table->emptyUpTo(), 2);
+  EXPECT_EQ(table->emptyUpTo, 2);
 }
 
 TEST(Emission, LiesBehindARemap) {

@@ -27,7 +27,7 @@ TEST(Remap, BoundsHoldForEveryDensity) {
   for (int round = 0; round < 50; ++round) {
     const double zeros = round % 3 == 0 ? 0 : u(rng);
     const RemapPtr r = table(0.2, 1.7, [&](double at) { return at < zeros ? 0 : u(rng); });
-    const double from = 2 * u(rng), to = from + u(rng), most = r->largest(from, to), empty = r->emptyUpTo();
+    const double from = 2 * u(rng), to = from + u(rng), most = r->largest(from, to), empty = r->emptyUpTo;
     double seen = 0;
     for (int k = 0; k <= 5000; ++k) {
       const double d = from + (to - from) * k / 5000;
@@ -42,8 +42,8 @@ TEST(Remap, BoundsHoldForEveryDensity) {
       EXPECT_GT(r->density(empty + 1e-3), 0);
     }
   }
-  EXPECT_EQ(table(0, 1, [](double) { return 0; })->emptyUpTo(), std::numeric_limits<double>::infinity());
-  EXPECT_LT(table(0, 1, [](double) { return 1; })->emptyUpTo(), 0);
+  EXPECT_EQ(table(0, 1, [](double) { return 0; })->emptyUpTo, std::numeric_limits<double>::infinity());
+  EXPECT_LT(table(0, 1, [](double) { return 1; })->emptyUpTo, 0);
 }
 
 TEST(Remap, OneAfterTheOther) {

@@ -17,6 +17,7 @@ namespace pileus::editor {
 namespace {
 
 constexpr char kMenu[] = "##canvas menu";
+constexpr char kRoomForSwatch[] = "     ";
 
 bool row(Editor& editor, const char* mark, const char* label, const std::string& keys,
          const std::string& trace, bool checked = false, bool enabled = true) {
@@ -56,7 +57,7 @@ bool chooseColor(Editor& editor, const std::string& current, std::string& chosen
   if (!beginSubmenu(editor, icon::kPaint, "Colour", "color")) return false;
   for (const NodeColor& color : nodeColors()) {
     ImGui::PushID(color.id);
-    if (row(editor, "", color.label, "", std::string("color/") + color.id, current == color.id)) {
+    if (row(editor, kRoomForSwatch, color.label, "", std::string("color/") + color.id, current == color.id)) {
       chosen = color.id;
       any = true;
     }

@@ -17,9 +17,13 @@ struct Frame {
   vec2 lo{0}, hi{0};
   float round = 0, header = 0;  ///< pixels
 };
-Frame frameOf(const CanvasView& view, const NodePlace& place) {
-  return {glm::round(view.screen(place.min)), glm::round(view.screen(place.max)), view.px(kRounding),
+Frame frameOf(const Theme& theme, const CanvasView& view, const NodePlace& place) {
+  Frame f{glm::round(view.screen(place.min)), glm::round(view.screen(place.max)), view.px(kRounding),
           std::round(view.px(place.header))};
+  // A name that does not shrink any more keeps room below the colour.
+  if (!view.level.text)
+    f.header = std::clamp(f.hi.y - f.lo.y - theme.small->FontSize - theme.px(4), theme.px(3), std::max(f.header, theme.px(3)));
+  return f;
 }
 
 void drawShadow(const Theme& theme, const CanvasView& view, const Frame& f) {
@@ -251,7 +255,7 @@ std::string_view titleOf(const NodePlace& place) {
 
 void drawNode(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look) {
   if (place.dot) return drawDot(theme, view, place, look);
-  const Frame f = frameOf(view, place);
+  const Frame f = frameOf(theme, view, place);
   drawShadow(theme, view, f);
   if (look.stacked) drawStack(theme, view, f);
   drawBody(theme, view, place, look, f);

@@ -6,6 +6,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/panels/picture_overlays.h"
+#include "editor/viewport/corner_widgets.h"
 
 namespace pileus::editor {
 namespace {
@@ -82,7 +83,7 @@ void drawHistogram(Editor& editor, vec2 lo, vec2 hi) {
 void drawBandLegend(Editor& editor, vec2 lo, vec2 hi) {
   const Theme& theme = editor.theme;
   constexpr int kBands = view::kExposureBands;
-  const float text = theme.small->FontSize, room = hi.y - lo.y - theme.space(6) - 2 * text;
+  const float text = theme.small->FontSize, top = std::round(lo.y + axisCrossHeight(editor, lo, hi) + theme.space(2)), room = hi.y - top - theme.space(4) - 2 * text;
   const float height = std::floor(std::min(theme.px(17), room / kBands)), width = theme.px(14);
   if (height < 4) return;
   const float label = textWidth(theme.small,
@@ -90,7 +91,7 @@ void drawBandLegend(Editor& editor, vec2 lo, vec2 hi) {
                                 "7");
   const vec2 size(width + label + theme.px(6) + 2 * theme.space(2),
                   height * kBands + text + theme.px(6) + 2 * theme.px(6));
-  const vec2 a(hi.x - theme.space(2) - size.x, std::round(lo.y + theme.space(2))), b = a + size;
+  const vec2 a(hi.x - theme.space(2) - size.x, top), b = a + size;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(a), im(b), palette::kChip, theme.px(4));
   drawText(draw, theme.small, {a.x + theme.space(2), a.y + theme.px(6)}, palette::kTextDim, "stops", size.x);

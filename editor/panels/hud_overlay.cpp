@@ -7,6 +7,7 @@
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/panels/picture_overlays.h"
+#include "editor/viewport/corner_widgets.h"
 #include "renderer/view/render_scene.h"
 
 namespace pileus::editor {
@@ -93,8 +94,9 @@ void drawHud(Editor& editor, vec2 lo, vec2 hi, float below) {
   float widest = 0;
   for (const auto& [name, text] : rows) widest = std::max(widest, textWidth(theme.mono, text));
   const vec2 pad(theme.space(2), theme.px(6));
-  const vec2 a(lo.x + theme.space(2), below),
-      size(std::min(head + widest + 2 * pad.x, hi.x - lo.x - 2 * theme.space(2)),
+  const float left = lo.x + toolStripWidth(editor, lo, hi) + theme.space(2);
+  const vec2 a(left, below),
+      size(std::min(head + widest + 2 * pad.x, hi.x - left - theme.space(2)),
            line * static_cast<float>(rows.size()) + 2 * pad.y);
   if (size.x < theme.px(160)) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();

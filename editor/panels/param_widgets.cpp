@@ -215,7 +215,7 @@ bool textField(Editor& editor, const std::string& key, std::string& text, float 
 
 void drawText(const ParamWidget& w, float width) {
   std::string text = w.state.mixed() ? "" : std::get<std::string>(w.state.value);
-  if (textField(w.editor, w.target.key(), text, width, w.state.mixed() ? "\xe2\x80\x93" : ""))
+  if (textField(w.editor, w.target.key(), text, width, w.state.mixed() ? "\xe2\x80\x93" : "default"))
     setParamValue(w.editor, w.target, text);
 }
 

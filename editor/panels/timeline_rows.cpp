@@ -35,6 +35,11 @@ struct Rows {
 /// Adding 0 makes -0 a 0.
 std::string frameText(double frame) { return fmt::format("{:g}", frame + 0.0); }
 
+/// Half the width of the playhead's number.
+float playheadHalf(const Rows& r) {
+  return 0.5f * textWidth(r.theme.small, std::to_string(r.editor.frame)) + r.theme.px(4);
+}
+
 void drawBackground(const Rows& r) {
   const nodes::Settings& s = r.editor.document.root().settings;
   r.draw->AddRectFilled({r.left, r.min.y}, r.max, palette::kField);
@@ -48,8 +53,11 @@ void drawBackground(const Rows& r) {
     r.draw->AddLine({r.x(f), r.top - r.theme.px(4)}, {r.x(f), r.top}, palette::kLine);
   for (double f = std::ceil(r.t.scale.first / step) * step; f <= r.t.scale.last; f += step) {
     r.draw->AddLine({r.x(f), r.top - r.theme.px(8)}, {r.x(f), r.max.y}, palette::kLine);
-    drawText(r.draw, r.theme.small, {r.x(f) + r.theme.px(3), r.min.y + r.theme.px(2)}, palette::kTextDim,
-             frameText(f), r.theme.px(60));
+    // Where the playhead has its own number there is no room for another.
+    const float left = r.x(f) + r.theme.px(3), head = r.x(r.editor.frame), half = playheadHalf(r);
+    if (left < head + half && left + textWidth(r.theme.small, frameText(f)) > head - half) continue;
+    drawText(r.draw, r.theme.small, {left, r.min.y + r.theme.px(2)}, palette::kTextDim, frameText(f),
+             r.theme.px(60));
   }
   r.draw->AddLine({r.min.x, r.top}, {r.max.x, r.top}, palette::kLine);
 }
@@ -105,7 +113,7 @@ void drawKeys(const Rows& r) {
 void drawPlayhead(const Rows& r) {
   const float x = std::round(r.x(r.editor.frame));
   const std::string text = std::to_string(r.editor.frame);
-  const float half = 0.5f * textWidth(r.theme.small, text) + r.theme.px(4);
+  const float half = playheadHalf(r);
   r.draw->PushClipRect({r.left, r.min.y}, r.max, true);
   r.draw->AddLine({x, r.min.y}, {x, r.max.y}, palette::kAccent, r.theme.px(1.5f));
   const ImVec2 lo{x - half, r.min.y + r.theme.px(1)}, hi{x + half, r.top - r.theme.px(5)};

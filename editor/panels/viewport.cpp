@@ -63,7 +63,7 @@ void drawChip(const Theme& theme, vec2 at, const std::string& text, ImU32 ink) {
 /// edge.
 void drawProgress(Editor& editor, vec2 lo, vec2 hi) {
   const Preview& preview = editor.preview;
-  if (preview.settled()) return;
+  if (preview.settled() || shownView(editor).empty()) return;
   std::string text = preview.waitingFor();
   const auto percent = static_cast<int>(100 * std::clamp(preview.fraction(), 0.0, 1.0));
   if (preview.paused())

@@ -59,7 +59,24 @@ void chipText(Editor& editor, vec2 lo, vec2 hi, const std::string& text, const c
   editor.trace.note(note, text);
 }
 
+constexpr float kToolSize = 28, kToolPad = 3, kAxisArm = 26, kAxisDot = 7;
+
+float stripHeight(const Theme& theme) { return theme.px(6 * kToolSize + 2 * kToolPad + 7); }
+
 }  // namespace
+
+float toolStripWidth(const Editor& editor, vec2 min, vec2 max) {
+  const Theme& theme = editor.theme;
+  const bool fits = min.y + theme.px(40) + stripHeight(theme) <= max.y - theme.px(8) && max.x - min.x >= theme.px(240);
+  return fits ? theme.space(2) + theme.px(kToolSize + 2 * kToolPad) : 0;
+}
+
+float axisCrossHeight(const Editor& editor, vec2 min, vec2 max) {
+  const Theme& theme = editor.theme;
+  const auto& overlays = editor.settings.view.overlays;
+  if (!overlays.on || !overlays.axes || max.x - min.x < theme.px(240) || max.y - min.y < theme.px(150)) return 0;
+  return theme.space(2) + 2 * theme.px(kAxisArm + kAxisDot) + (editor.compare.on ? theme.px(28) : 0);
+}
 
 void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered) {
   const Theme& theme = editor.theme;
@@ -75,10 +92,9 @@ void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered) {
       {icon::kMove, "move", "Move (W). Ctrl snaps, Shift is fine, Esc takes it back", GizmoMode::Move},
       {icon::kRefresh, "rotate", "Rotate (E). Ctrl snaps to 15 degrees", GizmoMode::Rotate},
       {icon::kExpand, "scale", "Scale (R), always along the node's own axes", GizmoMode::Scale}};
-  const float size = theme.px(28), pad = theme.px(3);
+  const float size = theme.px(kToolSize), pad = theme.px(kToolPad), height = stripHeight(theme);
   const vec2 lo(min.x + theme.space(2), min.y + theme.px(40));
-  const float height = 6 * size + 2 * pad + theme.px(7);
-  if (lo.y + height > max.y - theme.px(8) || max.x - min.x < theme.px(240)) {
+  if (toolStripWidth(editor, min, max) == 0) {
     overlayMenu(editor);
     return;
   }
@@ -109,13 +125,12 @@ void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered) {
 }
 
 void drawAxisCross(Editor& editor, const Projection& view, bool hovered) {
-  if (!editor.settings.view.overlays.axes) return;
+  if (axisCrossHeight(editor, view.min(), view.max()) == 0) return;
   const Theme& theme = editor.theme;
   ViewportTools& tools = editor.viewport.tools;
-  const float arm = theme.px(26), dot = theme.px(7);
+  const float arm = theme.px(kAxisArm), dot = theme.px(kAxisDot);
   const float below = editor.compare.on ? theme.px(28) : 0;
   const vec2 c(view.max().x - arm - dot - theme.space(3), view.min().y + arm + dot + theme.space(2) + below);
-  if (view.max().x - view.min().x < theme.px(240) || view.max().y - view.min().y < theme.px(150)) return;
   struct End {
     int axis;
     double sign;

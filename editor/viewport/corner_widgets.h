@@ -7,6 +7,9 @@ namespace pileus::editor {
 /// Each sets tools.overWidget where the pointer is over it.
 void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered);
 void drawAxisCross(Editor& editor, const Projection& view, bool hovered);
+/// What they take of the picture's corners: pixels from the left edge, from the upper edge; 0 where they are not shown.
+float toolStripWidth(const Editor& editor, vec2 min, vec2 max);
+float axisCrossHeight(const Editor& editor, vec2 min, vec2 max);
 void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered);
 
 }  // namespace pileus::editor

@@ -142,10 +142,13 @@ void drawViewportTools(Editor& editor, vec2 min, vec2 max, bool hovered) {
       drawGizmo(editor, view);
       ImGui::PopClipRect();
     }
-    drawAxisCross(editor, Projection(camera, min, max), hovered);
   }
-  drawToolStrip(editor, min, max, hovered);
-  drawToolHints(editor, min, max, hovered);
+  // The corners of what is shown: two pictures side by side are wider than one.
+  vec2 lo = min, hi = max;
+  if (!editor.viewport.shown.empty()) lo = editor.viewport.shown.front().min, hi = editor.viewport.shown.back().max;
+  if (editor.settings.view.overlays.on) drawAxisCross(editor, Projection(camera, lo, hi), hovered);
+  drawToolStrip(editor, lo, hi, hovered);
+  drawToolHints(editor, lo, hi, hovered);
 }
 
 void routeViewportPointer(Editor& editor, vec2 min, vec2 max, bool hovered) {

@@ -60,7 +60,7 @@ Error errorOf(const shadow::ShadowedLight& light, const volume::InstanceList& vo
   const std::vector<test::Lit> lit = test::lit(light, points);
   Error e;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double d = std::abs(std::exp(-lit[i].tau) -
+    const double d = std::abs(lit[i].transmittance -
                               std::exp(-shadow::opticalDepthToLight(volumes, light.light, points[i])));
     e.mean += d / double(points.size());
     if (d > e.worst) e.worst = d, e.where = points[i];
@@ -108,7 +108,7 @@ TEST(Lights, IncidenceIsThatOfTheCpu) {
         EXPECT_NEAR(lit[k].irradiance[c] / (want.falloff * double(light.emitted[c]) + 1e-9),
                     want.falloff > 0 ? 1 : 0, k > 0 ? 1e-3 : 2)
             << i << " " << k;
-      EXPECT_EQ(lit[k].tau, 0);
+      EXPECT_EQ(lit[k].transmittance, 1);
       EXPECT_EQ(lit[k].arriving, lit[k].irradiance);
     }
   }
@@ -127,7 +127,7 @@ TEST(Lights, PointInsideABoxIsExponentialInEveryDirection) {
     double worst = 0, mean = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double d =
-          std::abs(std::exp(-lit[i].tau) - std::exp(-sigma * glm::length(points[i] - light.position)));
+          std::abs(lit[i].transmittance - std::exp(-sigma * glm::length(points[i] - light.position)));
       worst = std::max(worst, d), mean += d / double(points.size());
     }
     std::printf("point in a box, %s: mean |dT| %.7f, max %.7f\n", shadow::describe(specOf(kind)).c_str(),
@@ -207,8 +207,8 @@ TEST(Lights, CubeFacesMeetWithoutASeam) {
     double worst = 0;
     int shadowed = 0;
     for (std::size_t i = 0; i < points.size(); i += 2) {
-      worst = std::max(worst, std::abs(std::exp(-lit[i].tau) - std::exp(-lit[i + 1].tau)));
-      shadowed += lit[i].tau > 0.05;
+      worst = std::max(worst, std::abs(lit[i].transmittance - lit[i + 1].transmittance));
+      shadowed += lit[i].transmittance < 0.95;
     }
     std::printf("seams, %s: max |dT| across an edge %.6f, %d of %zu pairs in shadow\n",
                 shadow::describe(specOf(kind)).c_str(), worst, shadowed, points.size() / 2);

@@ -12,7 +12,7 @@ struct Lit {
   dvec3 towards{0};
   double distance = 0;
   dvec3 irradiance{0};  ///< without shadow
-  double tau = 0;
+  double transmittance = 1;
   dvec3 arriving{0};
   double visibility = 0;
   dvec3 normal{0};  ///< of the nearest solid

@@ -128,10 +128,10 @@ TEST(ShadowProbe, AShadowWithoutTheMediaLeaksAllTheirLight) {
 }
 
 TEST(ShadowProbe, PercentilesAreThoseOfTheErrors) {
-  std::vector<float> tau;
+  std::vector<float> mapped;
   std::vector<double> truth;
-  for (int i = 0; i <= 100; ++i) tau.push_back(0), truth.push_back(1 - i * 1e-3);  // errors 0, 0.001 .. 0.1
-  const view::ShadowError e = view::shadowError(tau, truth);
+  for (int i = 0; i <= 100; ++i) mapped.push_back(1), truth.push_back(1 - i * 1e-3);  // errors 0, 0.001 .. 0.1
+  const view::ShadowError e = view::shadowError(mapped, truth);
   EXPECT_NEAR(e.mean, 0.05, 1e-12);
   EXPECT_NEAR(e.bias, 0.05, 1e-12);
   EXPECT_NEAR(e.p95, 0.095, 1e-12);

@@ -119,6 +119,7 @@ void drawCanvas(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
   drawFrames(editor, view);
   drawLinks(editor, view, *layout, hit);
   drawNodes(editor, view, *layout, hit);
+  drawDistantTitles(editor, view);
   drawDragFeedback(editor, view, *layout, hit);
   drawHints(editor, view);
   drawOverlays(editor, view, *layout);

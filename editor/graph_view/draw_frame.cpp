@@ -13,6 +13,24 @@ ImU32 frameTint(const nodes::Frame& frame) {
   return own ? own : palette::kMath;
 }
 
+namespace {
+
+/// As large as the canvas's text, but never too small to read; in the part that is on the screen.
+void drawTitle(const Theme& theme, const CanvasView& view, const nodes::Frame& frame, vec2 lo, vec2 hi, float bar) {
+  ImFont* font = view.level.strong && view.level.strong->FontSize > theme.strong->FontSize ? view.level.strong : theme.strong;
+  const float left = std::max(lo.x, view.min.x) + theme.px(10), room = hi.x - left - theme.px(8);
+  if (room < theme.px(22) || bar < font->FontSize * 0.9f) return;
+  const vec2 at(left, lo.y + 0.5f * (bar - font->FontSize));
+  // Far away the title, which does not shrink any more, lies over nodes.
+  if (!view.level.text && !frame.title.empty()) {
+    const vec2 pad(theme.px(4), theme.px(1)), size(std::min(textWidth(font, frame.title), room), font->FontSize);
+    view.draw->AddRectFilled(im(at - pad), im(at + size + pad), mixed(palette::kCanvas, frameTint(frame), 0.35f), theme.px(3));
+  }
+  drawText(view.draw, font, at, palette::kText, frame.title, room);
+}
+
+}  // namespace
+
 void drawFrames(Editor& editor, const CanvasView& view) {
   const Theme& theme = editor.theme;
   const float header = view.px(frameHeader(view.level.zoom / theme.scale));
@@ -30,15 +48,17 @@ void drawFrames(Editor& editor, const CanvasView& view) {
                              bar < hi.y - lo.y ? ImDrawFlags_RoundCornersTop : ImDrawFlags_RoundCornersAll);
     view.draw->AddRect(im(lo), im(hi), selected ? palette::kSelect : faded(tint, 0.7f), round, 0,
                        selected ? 2 * theme.scale : theme.scale);
-    // As large as the canvas's text, but never too small to read; in the part that is on the screen.
-    ImFont* font = view.level.strong && view.level.strong->FontSize > theme.strong->FontSize
-                       ? view.level.strong
-                       : theme.strong;
-    const float left = std::max(lo.x, view.min.x) + theme.px(10);
-    if (hi.x - left > theme.px(30) && bar >= font->FontSize * 0.9f)
-      drawText(view.draw, font, {left, lo.y + 0.5f * (bar - font->FontSize)}, palette::kText, frame.title,
-               hi.x - left - theme.px(8));
+    if (view.level.text) drawTitle(theme, view, frame, lo, hi, bar);
     if (editor.trace.on()) editor.trace.rect("frame/" + std::to_string(i), im(lo), im(hi));
+  }
+}
+
+void drawDistantTitles(Editor& editor, const CanvasView& view) {
+  if (view.level.text) return;
+  const float header = view.px(frameHeader(view.level.zoom / editor.theme.scale));
+  for (const nodes::Frame& frame : shownGraph(editor).frames) {
+    const vec2 lo = glm::round(view.screen(vec2(frame.at))), hi = glm::round(view.screen(vec2(frame.at + frame.size)));
+    if (view.visible(lo, hi)) drawTitle(editor.theme, view, frame, lo, hi, std::min(header, hi.y - lo.y));
   }
 }
 

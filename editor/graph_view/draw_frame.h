@@ -13,5 +13,7 @@ struct Editor;
 /// A frame's own colour, or a quiet one.
 ImU32 frameTint(const nodes::Frame& frame);
 void drawFrames(Editor& editor, const CanvasView& view);
+/// Where the canvas shows no text: titles over the nodes.
+void drawDistantTitles(Editor& editor, const CanvasView& view);
 
 }  // namespace pileus::editor

@@ -173,16 +173,30 @@ TEST(RandomInput, TwoThousandEvents) {
   EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["document"]["nodes"].empty(); }));
 }
 
+/// The leaks of a report but those of libraries that were unloaded before it was made: the driver's. We unload none.
+std::string leaksOf(const std::string& report) {
+  std::string ours;
+  for (std::size_t at = report.find(" leak of "); at != std::string::npos;) {
+    const std::size_t next = report.find(" leak of ", at + 1);
+    const std::string leak = report.substr(at, next == std::string::npos ? next : next - at);
+    const std::size_t caller = leak.find("#1 ");
+    const std::string line = caller == std::string::npos ? "" : leak.substr(caller, leak.find('\n', caller) - caller);
+    if (line.find("<unknown module>") == std::string::npos) ours += leak;
+    at = next;
+  }
+  return ours;
+}
+
 // LeakSanitizer stands in for malloc and looks, when the program ends, for blocks nothing points at any more.
 TEST(RandomInput, LosesNoMemory) {
   const fs::path sanitizer = "/usr/lib/x86_64-linux-gnu/liblsan.so.0";
   if (!fs::exists(sanitizer)) GTEST_SKIP() << "LeakSanitizer's library, a part of GCC, is not here";
   const fs::path folder = scratchFolder(), file = folder / "scene.json", report = folder / "leaks";
   std::ofstream(file) << kGraph;
-  // What drivers keep for the life of the process; theirs are unloaded by then.
-  std::ofstream(folder / "others") << "leak:<unknown module>\nleak:swrast_dri\nleak:libLLVM\nleak:libGLX\nleak:libGLdispatch\nleak:libX11\n";
+  // What the driver's libraries keep for the life of the process.
+  std::ofstream(folder / "others") << "leak:swrast_dri\nleak:libLLVM\nleak:libGLX\nleak:libGLdispatch\nleak:libX11\n";
   UiSession ui({1100, 720}, {file.string()}, json::object(), {},
-               {"LD_PRELOAD=" + sanitizer.string(), "LSAN_OPTIONS=exitcode=23:log_path=" + report.string() +
+               {"LD_PRELOAD=" + sanitizer.string(), "LSAN_OPTIONS=exitcode=0:log_path=" + report.string() +
                                                         ":suppressions=" + (folder / "others").string()});
   ASSERT_TRUE(ui.running()) << ui.log();
   ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
@@ -197,10 +211,10 @@ TEST(RandomInput, LosesNoMemory) {
   const int code = ui.waitExit(60);
   if (ui.log().find("LeakSanitizer has encountered a fatal error") != std::string::npos)
     GTEST_SKIP() << "LeakSanitizer may not trace here";
+  EXPECT_EQ(code, 0) << ui.log();
   std::string found;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().filename().string().starts_with("leaks")) found += textOf(entry.path());
-  EXPECT_EQ(code, 0) << found << ui.log();
+    if (entry.path().filename().string().starts_with("leaks")) found += leaksOf(textOf(entry.path()));
   EXPECT_EQ(found, "");
 }
 

@@ -75,10 +75,6 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
   return r;
 }
 
-}  // namespace
-
-namespace {
-
 volume::InstanceList sorted(const volume::InstanceList& instances, bool withEmission) {
   std::vector<std::pair<Key, volume::Instance>> keyed;
   for (const volume::Instance& i : instances) {

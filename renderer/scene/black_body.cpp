@@ -1,6 +1,9 @@
 #include "renderer/scene/black_body.h"
 
+#include <array>
 #include <cmath>
+
+#include "renderer/scene/acescg.h"
 
 namespace pileus::scene {
 namespace {
@@ -25,26 +28,34 @@ double planck(double nm, double kelvin) {
   return 1e-9 * kFirst / (m * m * m * m * m) / std::expm1(kSecond / (m * kelvin));
 }
 
-/// AP1 primaries, as in temperatureColor().
-dvec3 acescg(const dvec3& xyz) {
-  return {1.6410233797 * xyz.x - 0.3248032942 * xyz.y - 0.2364246952 * xyz.z,
-          -0.6636628587 * xyz.x + 1.6153315917 * xyz.y + 0.0167563477 * xyz.z,
-          0.0117218943 * xyz.x - 0.0082844420 * xyz.y + 0.9883948585 * xyz.z};
+constexpr double kFrom = 360, kStep = 2;  // nm
+constexpr std::size_t kSteps = 236;       // to 830
+
+/// The matching functions at each step: a table of emission asks for them hundreds of times.
+const std::array<dvec3, kSteps>& matchingSteps() {
+  static const auto steps = [] {
+    std::array<dvec3, kSteps> all;
+    for (std::size_t i = 0; i < kSteps; ++i) all[i] = matching(kFrom + kStep * static_cast<double>(i));
+    return all;
+  }();
+  return steps;
 }
 
 }  // namespace
 
 dvec3 blackBodyXyz(double kelvin) {
   dvec3 sum(0);
-  constexpr double kStep = 2;
-  for (double nm = 360; nm <= 830; nm += kStep) sum += kStep * planck(nm, kelvin) * matching(nm);
+  const auto& steps = matchingSteps();
+  for (std::size_t i = 0; i < kSteps; ++i)
+    sum += kStep * planck(kFrom + kStep * static_cast<double>(i), kelvin) * steps[i];
   return sum;
 }
 
 dvec3 blackBodyColor(double kelvin, double reference) {
-  const dvec3 xyz = blackBodyXyz(kelvin), white = blackBodyXyz(6500);
-  const dvec3 color = glm::max(acescg(xyz) / acescg(white / white.y), dvec3(0));
-  const double luminance = glm::dot(color, dvec3(0.2722287168, 0.6740817658, 0.0536895174));  // of AP1
+  static const dvec3 white = acescgFromXyz(blackBodyXyz(6500) / blackBodyXyz(6500).y);
+  const dvec3 xyz = blackBodyXyz(kelvin);
+  const dvec3 color = glm::max(acescgFromXyz(xyz) / white, dvec3(0));
+  const double luminance = acescgLuminance(color);
   return luminance > 0 ? color / luminance * (xyz.y / blackBodyXyz(reference).y) : dvec3(0);
 }
 

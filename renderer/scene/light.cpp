@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/scene/acescg.h"
+
 namespace pileus::scene {
 namespace {
 
@@ -19,13 +21,8 @@ dvec2 planckianXy(double k) {
   return {x, y};
 }
 
-/// ACEScg (AP1) from XYZ; rows of the inverse primary matrix of SMPTE ST 2065 / S-2014-004.
-dvec3 acescg(dvec2 xy) {
-  const dvec3 xyz(xy.x / xy.y, 1.0, (1 - xy.x - xy.y) / xy.y);
-  return {1.6410233797 * xyz.x - 0.3248032942 * xyz.y - 0.2364246952 * xyz.z,
-          -0.6636628587 * xyz.x + 1.6153315917 * xyz.y + 0.0167563477 * xyz.z,
-          0.0117218943 * xyz.x - 0.0082844420 * xyz.y + 0.9883948585 * xyz.z};
-}
+/// Of luminance 1.
+dvec3 acescg(dvec2 xy) { return acescgFromXyz({xy.x / xy.y, 1.0, (1 - xy.x - xy.y) / xy.y}); }
 
 }  // namespace
 
@@ -70,8 +67,7 @@ dvec3 sunDirection(double azimuth, double elevation) {
 vec3 temperatureColor(double kelvin) {
   const dvec3 white = acescg(planckianXy(6500.0));
   dvec3 c = glm::max(acescg(planckianXy(glm::clamp(kelvin, 1667.0, 25000.0))) / white, dvec3(0.0));
-  c /= glm::dot(c, dvec3(0.2722287168, 0.6740817658, 0.0536895174));  // AP1 luminance
-  return vec3(c);
+  return vec3(c / acescgLuminance(c));
 }
 
 }  // namespace pileus::scene

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/scene/acescg.h"
 #include "renderer/volume/autofit.h"
 #include "renderer/volume/density_histogram.h"
 
@@ -16,9 +17,7 @@ namespace {
 constexpr double kCoolest = 1000, kHottest = 2200;  // K, for values without a unit
 constexpr int kRays = 48;                           // across each side of the bounds
 
-double luminance(const vec4& rgb) {
-  return glm::dot(dvec3(rgb), dvec3(0.2722287168, 0.6740817658, 0.0536895174));  // of AP1
-}
+double luminance(const vec4& rgb) { return scene::acescgLuminance(dvec3(rgb)); }
 
 /// A value of three digits, so that nodes can be read.
 double tidy(double v) { return v > 0 ? std::stod(fmt::format("{:.3g}", v)) : 0; }

@@ -199,8 +199,8 @@ bool Window::feed(const InputEvent& e) {
     case Kind::Key: {
       const bool typing =
           io.WantTextInput && printable(e.code) && !(e.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT));
+      const bool modifier = e.code >= GLFW_KEY_LEFT_SHIFT;
       if (e.down) {
-        const bool modifier = e.code >= GLFW_KEY_LEFT_SHIFT;
         // Which panel a key belongs to is known one frame after the pointer has come to it.
         if (moved_ && !modifier) return false;
         if (!typing && !modifier && !keys_.empty()) return false;
@@ -208,6 +208,8 @@ bool Window::feed(const InputEvent& e) {
           keys_.push_back({e.code, (e.mods & GLFW_MOD_CONTROL) != 0, (e.mods & GLFW_MOD_SHIFT) != 0,
                            (e.mods & GLFW_MOD_ALT) != 0, e.repeat});
         keysDownNow_.push_back(e.code);
+      } else if (modifier && !keys_.empty()) {
+        return false;  // it holds for the key that went down in this frame
       } else if (!typing &&
                  std::find(keysDownNow_.begin(), keysDownNow_.end(), e.code) != keysDownNow_.end()) {
         return false;

@@ -26,6 +26,18 @@ Texture::Texture(GLenum target, GLenum internalFormat, ivec3 size, std::string_v
   bytes_ = texelBytes(internalFormat) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
 }
 
+Texture Texture::view(const Texture& of, GLenum internalFormat, std::string_view label) {
+  Texture t;
+  t.target_ = of.target_, t.format_ = internalFormat, t.size_ = of.size_;
+  const GLuint layers = of.target_ == GL_TEXTURE_2D_ARRAY ? static_cast<GLuint>(of.size_.z) : 1u;
+  glGenTextures(1, &t.id_);  // a view needs a name without a target
+  glTextureView(t.id_, of.target_, of.id_, internalFormat, 0, 1, 0, layers);
+  glObjectLabel(GL_TEXTURE, t.id_, static_cast<GLsizei>(label.size()), label.data());
+  t.filter(GL_NEAREST);
+  t.wrap(GL_CLAMP_TO_EDGE);
+  return t;
+}
+
 void Texture::reset() {
   if (id_) glDeleteTextures(1, &id_);
   id_ = 0;

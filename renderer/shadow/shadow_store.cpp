@@ -20,6 +20,7 @@ struct Sheet {
 
 struct Array {
   gl::Texture texture;
+  gl::Texture bits;           ///< half only: its texels as they are stored, unfiltered
   std::vector<Sheet> sheets;  ///< index is stable; layers == 0: unused entry
 };
 
@@ -108,6 +109,7 @@ struct ShadowStoreState {
     if (glGetError() == GL_OUT_OF_MEMORY) return fail(Code::Gpu, "out of GPU memory: {} MiB for shadow maps", bytes >> 20);
     if (a.texture) glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, grown.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, old.x, old.y, old.z);
     a.texture = std::move(grown);
+    if (kind == STORE_HALF) a.bits = gl::Texture::view(a.texture, GL_RG32UI, "shadow store half, as bits");
     return {};
   }
 };
@@ -196,6 +198,7 @@ Result<std::shared_ptr<const DeepBlock>> ShadowStore::allocateDeep(std::size_t e
 
 void ShadowStore::bind() const {
   for (int k = 0; k < kArrays; ++k) glBindTextureUnit(GLuint(kUnits[k]), state_->arrays[k].texture.id());
+  glBindTextureUnit(UNIT_SHADOW_HALF_BITS, state_->arrays[STORE_HALF].bits.id());
   glBindTextureUnit(UNIT_SHADOW_DEEP, state_->deep.texels);
 }
 

@@ -87,35 +87,48 @@ float pieceTau(int n, float c[BASIS_FLOATS], int count, int j, float v) {
   return before + clamp(within, 0.0, max(own, 0.0));
 }
 
+// What the series need of u before any coefficient: known while the coefficients are still being read.
+struct BasisPhase {
+  float u, sine, cosine;  // of pi u (cosines) or 2 pi u (Fourier)
+};
+
+BasisPhase basisPhase(int basis, float u) {
+  float angle = (basis == BASIS_FOURIER ? 2.0 : 1.0) * kPi * u;
+  return BasisPhase(u, sin(angle), cos(angle));
+}
+
 // tau(u) from n coefficients, clamped to [0, tau(1)].
-float basisTau(int basis, int n, float c[BASIS_FLOATS], float u) {
+float basisTau(int basis, int n, float c[BASIS_FLOATS], BasisPhase at) {
   if (basis == BASIS_COSINE) {
-    float tau = c[0] * u, w = 2.0 * cos(kPi * u), previous = 0.0, current = sin(kPi * u);
-    for (int k = 1; k < BASIS_FLOATS; ++k) {
+    // Odd and even orders side by side: sin (k + 2) a = 2 cos 2a sin k a - sin (k - 2) a, half as long a chain as order by order.
+    float tau = c[0] * at.u, w = 4.0 * at.cosine * at.cosine - 2.0;
+    vec2 previous = vec2(-at.sine, 0.0), current = vec2(at.sine, 2.0 * at.cosine * at.sine);
+    for (int k = 1; k < BASIS_FLOATS; k += 2) {
       if (k >= n) break;
-      tau += c[k] * current / (float(k) * kPi);
-      float next = w * current - previous;
+      tau += c[k] * current.x * (1.0 / (float(k) * kPi));
+      if (k + 1 < n) tau += c[min(k + 1, BASIS_FLOATS - 1)] * current.y * (1.0 / (float(k + 1) * kPi));
+      vec2 next = w * current - previous;
       previous = current, current = next;
     }
     return clamp(tau, 0.0, c[0]);
   }
   if (basis == BASIS_FOURIER) {
-    float whole = 0.5 * c[0], tau = whole * u;
-    float cs = cos(2.0 * kPi * u), sn = sin(2.0 * kPi * u), ck = cs, sk = sn;
+    float whole = 0.5 * c[0], tau = whole * at.u;
+    float cs = at.cosine, sn = at.sine, ck = cs, sk = sn;
     for (int i = 1; i < BASIS_FLOATS; i += 2) {
       if (i >= n) break;
-      float k = float((i + 1) / 2) * 2.0 * kPi;
-      tau += c[i] * sk / k;
-      if (i + 1 < n) tau += c[min(i + 1, BASIS_FLOATS - 1)] * (1.0 - ck) / k;
+      float perOrder = 1.0 / (float((i + 1) / 2) * 2.0 * kPi);
+      tau += c[i] * sk * perOrder;
+      if (i + 1 < n) tau += c[min(i + 1, BASIS_FLOATS - 1)] * (1.0 - ck) * perOrder;
       float next = ck * cs - sk * sn;
       sk = sk * cs + ck * sn, ck = next;
     }
     return clamp(tau, 0.0, max(whole, 0.0));
   }
-  float tau = 0.0, at = clamp(u, 0.0, 1.0) * float(n);
+  float tau = 0.0, place = clamp(at.u, 0.0, 1.0) * float(n);
   for (int j = 0; j < BASIS_FLOATS; ++j) {
     if (j >= n) break;
-    tau += c[j] * clamp(at - float(j), 0.0, 1.0);
+    tau += c[j] * clamp(place - float(j), 0.0, 1.0);
   }
   return tau;
 }

@@ -12,8 +12,6 @@
 
 int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
 
-// A normal half's lowest bit is bit 13 of the float it reads as; converting back would cost more than the rest of the test.
-bool lowBit(float c, int store) { return ((floatBitsToUint(c) >> (store == STORE_FLOAT ? 0u : 13u)) & 1u) != 0u; }
 float withLowBit(float c, bool on, int store) {
   uint bit = on ? 1u : 0u;
   if (store == STORE_FLOAT) return uintBitsToFloat((floatBitsToUint(c) & ~1u) | bit);
@@ -22,10 +20,11 @@ float withLowBit(float c, bool on, int store) {
   return unpackHalf2x16((h & ~1u) | bit).x;
 }
 
-int blendOf(vec4 first, int coefficients, int store) {
-  if (!lowBit(first[mixedChannel(coefficients)], store)) return BLEND_WHOLE;
-  if (coefficients < 4 || !lowBit(first.z, store)) return BLEND_NONE;
-  return lowBit(first.y, store) ? BLEND_COLUMNS : BLEND_ROWS;
+// `low`: the lowest bits of the first layer as it is stored.
+int blendOf(bvec4 low, int coefficients) {
+  if (!low[mixedChannel(coefficients)]) return BLEND_WHOLE;
+  if (coefficients < 4 || !low.z) return BLEND_NONE;
+  return low.y ? BLEND_COLUMNS : BLEND_ROWS;
 }
 
 vec4 withBlend(vec4 first, int blend, int coefficients, int store) {

@@ -14,33 +14,40 @@ int metricCountOf(int light) { return METRIC_COUNT; }
 int basisOf(int light) { return BASIS; }
 int coefficientsOf(int light) { return COEFFICIENTS; }
 int coefficientStoreOf(int light) { return COEFFICIENT_STORE; }
+int coefficientLayersOf(int light) { return (COEFFICIENTS + 3) / 4; }
 #else
 int metricOf(int light) { return lights[light].shadow.w; }
 int metricCountOf(int light) { return lights[light].items.x; }
 int basisOf(int light) { return lights[light].shadow.y; }
 int coefficientsOf(int light) { return lights[light].shadow.z; }
 int coefficientStoreOf(int light) { return lights[light].coefficients.kind.x; }
+int coefficientLayersOf(int light) { return lights[light].coefficients.kind.y; }
 #endif
 
-void loadCoefficients(int light, int face, vec2 uv, out float c[BASIS_FLOATS]) {
+// At `at` [texels of the coefficients' block].
+void loadCoefficients(int light, int face, vec2 at, out float c[BASIS_FLOATS]) {
   ivec4 place = lights[light].coefficients.place;
-  int layers = lights[light].coefficients.kind.y;
+  int layers = coefficientLayersOf(light);
   place.w += face * layers;
   int store = coefficientStoreOf(light);
   for (int i = 0; i < BASIS_FLOATS; i += 4) {
-    vec4 v = sampleBlock(place, store, uv, min(i / 4, layers - 1));
+    vec4 v = sampleBlock(place, store, at, min(i / 4, layers - 1));
     for (int j = 0; j < 4 && i + j < BASIS_FLOATS; ++j) c[i + j] = v[j];
   }
 }
 
-// Optical depth at x by the metric and coefficients at uv. `covers`: the ray meets a medium at all.
-float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
+// Optical depth at x by the metric and coefficients at `at` [texels of the coefficients' block]. `covers`: the ray meets a medium at all.
+// What depends on x alone is worked out before the coefficients are read, which takes as long.
+float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
   float m[METRIC_FLOATS], w[kIntervals], c[BASIS_FLOATS];
   for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
   for (int i = 0; i < kIntervals; ++i) w[i] = 1.0;
   int metric = metricOf(light);
-  if (metric != METRIC_NONE) loadMetric(light, face, uv, m, w);
-  loadCoefficients(light, face, uv, c);
+  if (metric != METRIC_NONE) loadMetricAt(light, face, at * (float(lights[light].metric.place.z) / float(lights[light].coefficients.place.z)), m, w);
+#if LOOKUP_BASES & 7
+  BasisPhase phase = basisPhase(basisOf(light), metricU(metric, metricCountOf(light), m, w, x));
+#endif
+  loadCoefficients(light, face, at, c);
   covers = metric != METRIC_INTERVAL || m[1] > m[0];
   float tau = 0.0;
 #if LOOKUP_BASES & 8
@@ -55,13 +62,12 @@ float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
 #if LOOKUP_BASES & 8
   if (basisOf(light) != BASIS_PIECEWISE)
 #endif
-    tau = basisTau(basisOf(light), coefficientsOf(light), c, metricU(metric, metricCountOf(light), m, w, x));
+    tau = basisTau(basisOf(light), coefficientsOf(light), c, phase);
 #endif
 #if HORIZON
   // Behind the horizon: a ramp from what is in front of it to all there is.
   if ((lights[light].solids.z & 2) != 0) {
-    ivec4 hp = lights[light].horizon;
-    vec2 h = textureLod(shadowPair, vec3(blockTexel(hp, uv) / vec2(textureSize(shadowPair, 0).xy), float(hp.w + face)), 0.0).xy;
+    vec2 h = textureLod(shadowPair, storeCoordinates(lights[light].horizon, at, face, textureSize(shadowPair, 0)), 0.0).xy;
     float end = intervalsEnd(m);
     tau += x > end ? max(h.x - tau, 0.0) * clamp((x - end) / max(h.y - end, 1e-6), 0.0, 1.0) : 0.0;
   }
@@ -75,9 +81,9 @@ float extinctionTau(int light, int face, vec2 uv, float x, out bool covers) {
 float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   ivec4 place = lights[light].coefficients.place;
   int store = coefficientStoreOf(light), blend = BLEND_WHOLE;
-  vec2 f = uv * float(place.z) - 0.5, base = floor(f), w = f - base;
+  vec2 at = uv * float(place.z), f = at - 0.5, base = floor(f), w = f - base;
   if (metricOf(light) == METRIC_INTERVAL)
-    blend = blendOf(fetchBlock(place, store, ivec2(base), face * lights[light].coefficients.kind.y), coefficientsOf(light), store);
+    blend = blendOf(lowBits(place, store, base, face * coefficientLayersOf(light)), coefficientsOf(light));
   int taps = blend == BLEND_WHOLE ? 1 : blend == BLEND_NONE ? 4 : 2;
   // Axes along which texels are taken one by one; along the others the hardware blends.
   bvec2 single = bvec2(blend == BLEND_NONE || blend == BLEND_COLUMNS, blend == BLEND_NONE || blend == BLEND_ROWS);
@@ -86,7 +92,7 @@ float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   do {
     vec2 o = vec2(float(blend == BLEND_ROWS ? 0 : tap & 1), float(blend == BLEND_ROWS ? tap : tap >> 1));
     bool covers;
-    float T = exp(-extinctionTau(light, face, mix(uv, (base + o + 0.5) / float(place.z), single), x, covers));
+    float T = exp(-extinctionTau(light, face, mix(at, base + o + 0.5, single), x, covers));
     vec2 share = mix(vec2(1.0), mix(1.0 - w, w, o), single);
     float weight = (share.x * share.y + 1e-6) * (covers || !inMedium ? 1.0 : 1e-6);
     transmittance += weight * T;
@@ -99,7 +105,7 @@ float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
 // The stored series is transmittance itself: linear, so the hardware's blend is right.
 float lookupSeries(int light, int face, vec2 uv, float x) {
   float c[BASIS_FLOATS];
-  loadCoefficients(light, face, uv, c);
+  loadCoefficients(light, face, uv * float(lights[light].coefficients.place.z), c);
   return clamp(basisValue(basisOf(light), coefficientsOf(light), c, x), 0.0, 1.0);
 }
 

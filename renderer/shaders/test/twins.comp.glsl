@@ -23,7 +23,7 @@ void main() {
   for (int k = 0; k < kIntervals; ++k) w[k] = inputs[a + 12 + k];
   outputs[o + 5] = metricU(metric, metricCount, m, w, x);
   outputs[o + 6] = metricFace(metric, i % 8, x);
-  outputs[o + 7] = basisTau(basis, BASIS_FLOATS, c, x);
+  outputs[o + 7] = basisTau(basis, BASIS_FLOATS, c, basisPhase(basis, x));
   outputs[o + 16] = basisValue(basis, BASIS_FLOATS, c, x);
   for (int k = 0; k < BASIS_FLOATS; ++k) c[k] = 0.0;
   projectStep(basis, c, inputs[a + 9], inputs[a + 10], inputs[a + 11]);

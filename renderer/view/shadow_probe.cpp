@@ -42,7 +42,7 @@ class Lookups {
   void dispatch(int first, int end, int repeats = 1) {
     program_->set("first", first);
     program_->set("end", end);
-    glDispatchCompute(GLuint((end - first + kGroup - 1) / kGroup), GLuint(repeats), 1);
+    glDispatchCompute(GLuint(repeats), GLuint((end - first + kGroup - 1) / kGroup), 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glFinish();
   }

@@ -23,8 +23,9 @@ struct ProbeResult {
   ShadowError error;
   double nsPerLookup = 0;  ///< 0: not timed
 };
-/// Both. Timed: median of `dispatches` dispatches that take 20 ms each or more, waited for; neighbouring points lie on one light ray,
-/// rays in random order.
+/// Both. Timed: median of `dispatches` dispatches that take 20 ms each or more, waited for. Each group of points is looked up over and
+/// over before the next, so that its texels are in the caches, as they are for most of a picture's lookups: with points in random order
+/// it is the machine's memory that would be timed.
 Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples, int dispatches = 5);
 
 }  // namespace pileus::view

@@ -85,15 +85,16 @@ float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   if (metricOf(light) == METRIC_INTERVAL)
     blend = blendOf(lowBits(place, store, base, face * coefficientLayersOf(light)), coefficientsOf(light));
   int taps = blend == BLEND_WHOLE ? 1 : blend == BLEND_NONE ? 4 : 2;
-  // Axes along which texels are taken one by one; along the others the hardware blends.
+  // Axes along which texels are taken one by one; along the others the hardware blends, all at the first tap.
   bvec2 single = bvec2(blend == BLEND_NONE || blend == BLEND_COLUMNS, blend == BLEND_NONE || blend == BLEND_ROWS);
+  vec2 first = mix(at, base + 0.5, single), second = mix(vec2(0.0), w, single);  // place of the first tap, share of the second along each axis
   float transmittance = 0.0, weights = 0.0;
   int tap = 0;
   do {
     vec2 o = vec2(float(blend == BLEND_ROWS ? 0 : tap & 1), float(blend == BLEND_ROWS ? tap : tap >> 1));
     bool covers;
-    float T = exp(-extinctionTau(light, face, mix(at, base + o + 0.5, single), x, covers));
-    vec2 share = mix(vec2(1.0), mix(1.0 - w, w, o), single);
+    float T = exp(-extinctionTau(light, face, first + o, x, covers));
+    vec2 share = mix(1.0 - second, second, o);
     float weight = (share.x * share.y + 1e-6) * (covers || !inMedium ? 1.0 : 1e-6);
     transmittance += weight * T;
     weights += weight;

@@ -1,11 +1,11 @@
-// Transmittance between light 0 and given world positions, by whatever shadow the light has: what error measurements look at. Rows of
-// work groups beyond the first repeat the same lookups, for timing.
+// Transmittance between light 0 and given world positions, by whatever shadow the light has: what error measurements look at. The work
+// groups of a row make the same lookups, over and over for timing.
 #include "lib/light_transmittance.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { vec4 positions[]; };
 layout(std430, binding = BIND_TEST_OUT) writeonly buffer Out { float outputs[]; };
 uniform int first, end;
 void main() {
-  int i = first + int(gl_GlobalInvocationID.x);
+  int i = first + int(gl_WorkGroupID.y * gl_WorkGroupSize.x + gl_LocalInvocationID.x);
   if (i < end) outputs[i] = lightTransmittance(0, positions[i].xyz);
 }

@@ -38,7 +38,7 @@ int quality(const std::string& text, const std::string& word) {
 }
 
 /// The best place of a word in a node.
-Found look(const std::string& name, const nodes::Node& node, const std::string& word) {
+Found look(const std::string& name, const nodes::Node& node, const std::string& word, double frame) {
   Found best;
   const auto offer = [&](const std::string& text, int weight, const std::string& where) {
     if (const int q = quality(text, word); q > 0 && weight + q > best.score) best = {weight + q, where};
@@ -51,7 +51,7 @@ Found look(const std::string& name, const nodes::Node& node, const std::string& 
   if (!type) return best;
   for (const nodes::ParamSpec& spec : type->params) {
     const bool own = node.params.contains(spec.id) || node.animated.contains(spec.id);
-    const std::string value = nodes::formatParam(spec, nodes::paramValue(node, spec));
+    const std::string value = nodes::formatParam(spec, nodes::paramValue(node, spec, frame));
     const std::string shown = spec.label + " " + value + (spec.unit.empty() ? "" : " " + spec.unit);
     // What was set by hand is more telling than a default.
     offer(spec.label, own ? 30 : 20, shown);
@@ -62,13 +62,13 @@ Found look(const std::string& name, const nodes::Node& node, const std::string& 
 }
 
 void search(const nodes::Graph& graph, const std::vector<std::string>& words, std::vector<std::string>& scope,
-            std::vector<FindMatch>& out) {
+            double frame, std::vector<FindMatch>& out) {
   for (const auto& [name, node] : graph.nodes) {
     FindMatch match{scope, name, {}, 0};
     int least = 1000;
     bool all = true;
     for (const std::string& word : words) {
-      const Found found = look(name, *node, word);
+      const Found found = look(name, *node, word, frame);
       all = all && found.score > 0;
       if (found.score < least) least = found.score, match.where = found.where;
       match.score += found.score;
@@ -76,7 +76,7 @@ void search(const nodes::Graph& graph, const std::vector<std::string>& words, st
     if (all) out.push_back(std::move(match));
     if (node->group && scope.size() < 32) {
       scope.push_back(name);
-      search(*node->group, words, scope, out);
+      search(*node->group, words, scope, frame, out);
       scope.pop_back();
     }
   }
@@ -84,12 +84,12 @@ void search(const nodes::Graph& graph, const std::vector<std::string>& words, st
 
 }  // namespace
 
-std::vector<FindMatch> findMatches(const nodes::Graph& graph, std::string_view query) {
+std::vector<FindMatch> findMatches(const nodes::Graph& graph, std::string_view query, double frame) {
   std::vector<FindMatch> out;
   const std::vector<std::string> words = wordsOf(query);
   if (words.empty()) return out;
   std::vector<std::string> scope;
-  search(graph, words, scope, out);
+  search(graph, words, scope, frame, out);
   std::stable_sort(out.begin(), out.end(),
                    [](const FindMatch& a, const FindMatch& b) { return a.score > b.score; });
   return out;

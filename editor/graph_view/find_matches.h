@@ -16,7 +16,7 @@ struct FindMatch {
 };
 
 /// Best first: names before types before parameters, then in the order of the graph. Every word of the query
-/// has to be found in the node, capitals or not; an empty query finds nothing.
-std::vector<FindMatch> findMatches(const nodes::Graph& graph, std::string_view query);
+/// has to be found in the node, capitals or not; an empty query finds nothing. Values are those of `frame`.
+std::vector<FindMatch> findMatches(const nodes::Graph& graph, std::string_view query, double frame = 1);
 
 }  // namespace pileus::editor

@@ -36,7 +36,8 @@ std::string joined(const std::vector<std::string>& scope) {
 void searchAgain(Editor& editor) {
   FindNodes& find = editor.canvas.find;
   find.revision = editor.document.revision();
-  find.all = findMatches(editor.document.root(), find.query);
+  find.frame = editor.frame;
+  find.all = findMatches(editor.document.root(), find.query, editor.frame);
   find.matches.clear();
   const std::vector<std::string>& here = editor.document.scope();
   for (const FindMatch& m : find.all)
@@ -110,7 +111,7 @@ void drawField(Editor& editor) {
                            ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleColor();
   editor.trace.item("find/field");
-  if (find.query != before || find.revision != editor.document.revision()) {
+  if (find.query != before || find.revision != editor.document.revision() || find.frame != editor.frame) {
     if (find.query != before) find.chosen = 0, find.scroll = true;
     searchAgain(editor);
   }

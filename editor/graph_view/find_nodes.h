@@ -14,6 +14,7 @@ struct FindNodes {
   bool opening = false, open = false;
   std::string query;
   std::uint64_t revision = 0;  ///< of the document that was searched
+  int frame = 1;               ///< whose values were searched
   std::vector<FindMatch> all;
   std::set<std::string> matches;  ///< names of those in the graph on the canvas
   int chosen = 0;

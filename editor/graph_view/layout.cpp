@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kMapPicture = 88, kImagePicture = 97;
 
-void addSockets(NodePlace& p, const nodes::SocketTable& table) {
+void addSockets(NodePlace& p, const nodes::SocketTable& table, double frame) {
   const auto add = [&](nodes::SocketInfo s, bool input) {
     SocketPlace socket;
     socket.id = std::move(s.id);
@@ -21,7 +21,7 @@ void addSockets(NodePlace& p, const nodes::SocketTable& table) {
     socket.many = s.many;
     socket.required = s.required;
     if (const nodes::ParamSpec* spec = s.param && p.type ? p.type->param(socket.id) : nullptr)
-      socket.value = nodes::formatParam(*spec, nodes::paramValue(*p.node, *spec)) +
+      socket.value = nodes::formatParam(*spec, nodes::paramValue(*p.node, *spec, frame)) +
                      (spec->unit.empty() ? "" : " " + spec->unit);
     p.sockets.push_back(std::move(socket));
   };
@@ -37,13 +37,13 @@ void placeDot(NodePlace& p) {
 }
 
 NodePlace place(const nodes::SocketTable& table, const std::string& name, const nodes::NodePtr& node,
-                const ThumbnailChoice& thumbnails) {
+                const ThumbnailChoice& thumbnails, double frame) {
   NodePlace p;
   p.name = name;
   p.node = node;
   p.type = nodes::findNodeType(node->type);
   p.min = vec2(node->at);
-  addSockets(p, table);
+  addSockets(p, table, frame);
   p.dot = node->type == "dot";
   if (p.dot) {
     placeDot(p);
@@ -104,14 +104,16 @@ Thumbnail thumbnailKind(const nodes::NodeType& type) {
 }
 
 Layout layoutGraph(const nodes::Graph& graph, const std::set<std::string>& raised,
-                   const ThumbnailChoice& thumbnails) {
+                   const ThumbnailChoice& thumbnails, double frame) {
   Layout layout;
   const nodes::SocketTable table(graph);
   layout.nodes.reserve(graph.nodes.size());
   layout.byName.reserve(graph.nodes.size());
   for (const bool top : {false, true})
     for (const auto& [name, node] : graph.nodes)
-      if (raised.contains(name) == top) layout.nodes.push_back(place(table, name, node, thumbnails));
+      if (raised.contains(name) == top) layout.nodes.push_back(place(table, name, node, thumbnails, frame));
+  for (const NodePlace& p : layout.nodes)
+    for (const SocketPlace& s : p.sockets) layout.animated |= !s.value.empty() && p.node->animated.contains(s.id);
   for (std::size_t i = 0; i < layout.nodes.size(); ++i) layout.byName.push_back(static_cast<int>(i));
   std::sort(layout.byName.begin(), layout.byName.end(), [&](int a, int b) {
     return layout.nodes[static_cast<std::size_t>(a)].name < layout.nodes[static_cast<std::size_t>(b)].name;

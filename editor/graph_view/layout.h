@@ -48,6 +48,7 @@ struct Layout {
   std::vector<NodePlace> nodes;  ///< back to front: selected ones last
   std::vector<LinkPlace> links;  ///< of those whose sockets exist, in the graph's order
   std::vector<int> byName;       ///< indices into nodes, by name
+  bool animated = false;         ///< another frame would show another value
 };
 
 inline constexpr float kNodeWidth = 188, kHeaderHeight = 30, kRowHeight = 24, kNodePadding = 7,
@@ -63,9 +64,9 @@ struct ThumbnailChoice {
 /// What kind of picture a node of this type can show.
 Thumbnail thumbnailKind(const nodes::NodeType& type);
 
-/// `raised` nodes are drawn, and hit, above the others.
+/// `raised` nodes are drawn, and hit, above the others. Sockets show the values of `frame`.
 Layout layoutGraph(const nodes::Graph& graph, const std::set<std::string>& raised,
-                   const ThumbnailChoice& thumbnails = {});
+                   const ThumbnailChoice& thumbnails = {}, double frame = 1);
 const NodePlace* findPlace(const Layout& layout, std::string_view node);
 const SocketPlace* findSocket(const NodePlace& place, std::string_view socket, bool input);
 

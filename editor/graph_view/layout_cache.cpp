@@ -12,10 +12,12 @@ std::shared_ptr<const Layout> shownLayout(Editor& editor) {
   // A frame that is dragged changes what no counter tells.
   const bool same = cache.layout && cache.revision == editor.document.graphRevision() &&
                     cache.moving == moving.active && !moving.frame && cache.moved == moving.by &&
-                    cache.raised == editor.document.selection() && cache.thumbnails == canvas.thumbnails;
+                    cache.raised == editor.document.selection() && cache.thumbnails == canvas.thumbnails &&
+                    (cache.frame == editor.frame || !cache.layout->animated);
   if (same) return cache.layout;
   cache.layout = std::make_shared<const Layout>(
-      layoutGraph(shownGraph(editor), editor.document.selection(), canvas.thumbnails));
+      layoutGraph(shownGraph(editor), editor.document.selection(), canvas.thumbnails, editor.frame));
+  cache.frame = editor.frame;
   cache.revision = editor.document.graphRevision();
   cache.moving = moving.active;
   cache.moved = moving.by;

@@ -17,6 +17,7 @@ struct LayoutCache {
   bool moving = false;
   std::set<std::string> raised;
   ThumbnailChoice thumbnails;
+  int frame = 1;
 };
 
 /// Of shownGraph(). Stays valid while it is held, whatever happens to the document.

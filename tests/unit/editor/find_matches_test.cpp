@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "nodes/graph_animation.h"
 #include "nodes/graph_groups.h"
 
 namespace pileus::editor {
@@ -22,6 +23,14 @@ std::vector<std::string> names(const std::vector<FindMatch>& matches) {
   std::vector<std::string> out;
   for (const FindMatch& m : matches) out.push_back(m.node);
   return out;
+}
+
+TEST(Find, AnimatedValuesAreThoseOfTheFrame) {
+  nodes::Graph g = graph();
+  g = *nodes::setKey(g, "Evening", "elevation", 1, 10.0, nodes::Interpolation::Linear);
+  g = *nodes::setKey(g, "Evening", "elevation", 11, 40.0, nodes::Interpolation::Linear);
+  EXPECT_EQ(findMatches(g, "evening elevation", 6).at(0).where.substr(0, 12), "Elevation 25");
+  EXPECT_EQ(findMatches(g, "evening elevation").at(0).where.substr(0, 12), "Elevation 10");
 }
 
 TEST(Find, NamesTypesParametersAndValues) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "nodes/graph_animation.h"
 #include "nodes/graph_edits.h"
 
 namespace pileus::editor {
@@ -58,6 +59,14 @@ TEST(Layout, AnExposedParameterIsASocketWithItsValue) {
   ASSERT_NE(s, nullptr);
   EXPECT_TRUE(s->value.starts_with("25")) << s->value;
   EXPECT_EQ(s->type, nodes::SocketType::Number);
+  EXPECT_FALSE(layout.animated);
+
+  g = *nodes::setKey(g, "Sun", "elevation", 1, 10.0, nodes::Interpolation::Linear);
+  g = *nodes::setKey(g, "Sun", "elevation", 11, 40.0, nodes::Interpolation::Linear);
+  const Layout later = layoutGraph(g, {}, {}, 6);
+  EXPECT_TRUE(later.animated);
+  EXPECT_TRUE(findSocket(*findPlace(later, "Sun"), "elevation", true)->value.starts_with("25"));
+  EXPECT_TRUE(findSocket(*findPlace(layoutGraph(g, {}), "Sun"), "elevation", true)->value.starts_with("10"));
 }
 
 TEST(Layout, ADotIsSmallWithASocketAtEitherSide) {

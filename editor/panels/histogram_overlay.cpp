@@ -15,13 +15,26 @@ std::string stopText(int stop) {
   return stop == 0 ? "0" : fmt::format("{}{}", stop < 0 ? "\xe2\x88\x92" : "+", std::abs(stop));
 }
 
+vec2 histogramSize(const Theme& theme) { return {theme.px(264), theme.px(132)}; }
+
+bool histogramFits(const Theme& theme, vec2 lo, vec2 hi) {
+  const vec2 room = hi - lo - 2 * theme.space(2), size = histogramSize(theme);
+  return room.x >= size.x && room.y >= size.y;
+}
+
+/// Where the histogram begins, from the top; hi.y where it is off or has no room.
+float histogramTop(const Editor& editor, vec2 lo, vec2 hi) {
+  const Theme& theme = editor.theme;
+  const bool shown = editor.settings.showHistogram && histogramFits(theme, lo, hi);
+  return shown ? hi.y - theme.space(2) - histogramSize(theme).y : hi.y;
+}
+
 }  // namespace
 
 void drawHistogram(Editor& editor, vec2 lo, vec2 hi) {
   const Theme& theme = editor.theme;
-  const vec2 size(theme.px(264), theme.px(132)), margin(theme.space(2));
-  if (hi.x - lo.x < size.x + 2 * margin.x || hi.y - lo.y < size.y + 2 * margin.y) return;
-  const vec2 b = hi - margin, a = b - size;
+  if (!histogramFits(theme, lo, hi)) return;
+  const vec2 size = histogramSize(theme), b = hi - theme.space(2), a = b - size;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(a), im(b), palette::kChip, theme.px(4));
   editor.trace.rect("histogram", im(a), im(b));
@@ -80,32 +93,40 @@ void drawHistogram(Editor& editor, vec2 lo, vec2 hi) {
   editor.trace.note("histogram", fmt::format("{} texels, peak {:.2f}", scan->texels, H::stopOf(at)));
 }
 
-void drawBandLegend(Editor& editor, vec2 lo, vec2 hi) {
+void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right) {
   const Theme& theme = editor.theme;
   constexpr int kBands = view::kExposureBands;
-  const float text = theme.small->FontSize, top = std::round(lo.y + axisCrossHeight(editor, lo, hi) + theme.space(2)), room = hi.y - top - theme.space(4) - 2 * text;
-  const float height = std::floor(std::min(theme.px(17), room / kBands)), width = theme.px(14);
-  if (height < 4) return;
   const float label = textWidth(theme.small,
                                 "\xe2\x89\xa4\xe2\x88\x92"
                                 "7");
-  const vec2 size(width + label + theme.px(6) + 2 * theme.space(2),
-                  height * kBands + text + theme.px(6) + 2 * theme.px(6));
-  const vec2 a(hi.x - theme.space(2) - size.x, top), b = a + size;
+  const float text = theme.small->FontSize, bar = theme.px(14), width = bar + label + theme.px(6) + 2 * theme.space(2);
+  // Below the axis cross, where it does not stand beside the picture.
+  const float cross = right - theme.space(2) - width < hi.x ? axisCrossHeight(editor, lo, hi) : 0.0f;
+  const float top = std::round(lo.y + cross + theme.space(2)), histogram = histogramTop(editor, lo, {right, hi.y});
+  const auto bandHeight = [&](float bottom) {
+    return std::floor(std::min(theme.px(17), (bottom - top - theme.space(4) - 2 * text) / kBands));
+  };
+  // Above the histogram, or beside it where that is too low.
+  const bool beside = bandHeight(histogram) < theme.px(6) && histogram < hi.y;
+  const float height = bandHeight(beside ? hi.y : histogram);
+  if (height < 4) return;
+  const vec2 b(right - theme.space(2) - (beside ? histogramSize(theme).x + theme.space(2) : 0.0f),
+               top + height * kBands + text + theme.px(6) + 2 * theme.px(6));
+  const vec2 a(b.x - width, top);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(a), im(b), palette::kChip, theme.px(4));
-  drawText(draw, theme.small, {a.x + theme.space(2), a.y + theme.px(6)}, palette::kTextDim, "stops", size.x);
+  drawText(draw, theme.small, {a.x + theme.space(2), a.y + theme.px(6)}, palette::kTextDim, "stops", width);
   vec2 at(a.x + theme.space(2), a.y + theme.px(12) + text);
   for (int i = kBands - 1; i >= 0; --i, at.y += height) {
     const vec3 c = view::exposureBands()[static_cast<std::size_t>(i)] * 255.0f;
-    draw->AddRectFilled(im(at), {at.x + width, at.y + height},
+    draw->AddRectFilled(im(at), {at.x + bar, at.y + height},
                         IM_COL32(static_cast<int>(c.r), static_cast<int>(c.g), static_cast<int>(c.b), 255));
     const int stop = i - kBands / 2;
     if (height < text && stop % 2 != 0) continue;
     const std::string t = i == 0            ? "\xe2\x89\xa4" + stopText(stop)
                           : i == kBands - 1 ? "\xe2\x89\xa5" + stopText(stop)
                                             : stopText(stop);
-    drawText(draw, theme.small, {at.x + width + theme.px(6), at.y + 0.5f * (height - text)},
+    drawText(draw, theme.small, {at.x + bar + theme.px(6), at.y + 0.5f * (height - text)},
              stop == 0 ? palette::kTextStrong : palette::kTextDim, t, theme.px(40));
   }
   editor.trace.rect("false colour legend", im(a), im(b));

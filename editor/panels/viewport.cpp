@@ -143,12 +143,13 @@ void drawPictureNotes(Editor& editor, vec2 lo, vec2 hi) {
   if (ImGui::IsMouseHoveringRect(im(at), {at.x + textWidth(theme.small, text), at.y + theme.px(22)})) tooltip(theme, viewport.colorError);
 }
 
-void drawOverlays(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
+/// `right`: of the panel. What stands at the right edge stands beside the picture where there is room.
+void drawOverlays(Editor& editor, vec2 lo, vec2 hi, float right, bool hovered) {
   const bool plain = !editor.compare.on;
   if (plain) drawRegionView(editor, lo, hi, hovered);
   drawInspectorMarks(editor, hovered);
-  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, lo, hi);
-  if (editor.settings.showHistogram) drawHistogram(editor, lo, hi);
+  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, lo, hi, right);
+  if (editor.settings.showHistogram) drawHistogram(editor, lo, {right, hi.y});
   drawPictureNotes(editor, lo, hi);
   if (editor.settings.showHud) drawHud(editor, lo, hi, lo.y + editor.theme.px(editor.compare.on ? 68 : 40));
 }
@@ -260,7 +261,7 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
     editor.trace.note("picture", fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
   }
   drawPickedRay(editor);
-  drawOverlays(editor, lo, hi, onPicture);
+  drawOverlays(editor, lo, hi, panelMax.x, onPicture);
   drawNotice(editor, lo, hi);
   drawProgress(editor, lo, hi);
   float y = bottom + figures;

@@ -136,6 +136,10 @@ TEST(Viewport, ChannelsLayersInspectorRegionAndStills) {
         return note(t, "hud Bricks").find("resident") != std::string::npos && t["rects"].contains("hud");
       },
       5));
+  const json rects = ui.trace()["rects"];
+  const json legend = rects["false colour legend"], histogram = rects["histogram"];
+  EXPECT_TRUE(legend[3].get<double>() <= histogram[1].get<double>() || legend[2].get<double>() <= histogram[0].get<double>())
+      << "the legend " << legend.dump() << " stands on the histogram " << histogram.dump();
   ui.screenshot("65-false-colours-histogram-hud");
   for (const char* key : {"shift+f", "shift+p", "shift+i", "p"}) ui.key(key);
   EXPECT_TRUE(ui.waitFor(

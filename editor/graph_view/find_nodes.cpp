@@ -37,11 +37,19 @@ void searchAgain(Editor& editor) {
   FindNodes& find = editor.canvas.find;
   find.revision = editor.document.revision();
   find.frame = editor.frame;
+  const std::vector<FindMatch> before = std::move(find.all);
   find.all = findMatches(editor.document.root(), find.query, editor.frame);
   find.matches.clear();
   const std::vector<std::string>& here = editor.document.scope();
   for (const FindMatch& m : find.all)
     if (m.scope == here) find.matches.insert(m.node);
+  // The chosen row stays chosen where it is still found.
+  if (find.chosen < static_cast<int>(before.size())) {
+    const FindMatch& chosen = before[static_cast<std::size_t>(find.chosen)];
+    const auto same = std::find_if(find.all.begin(), find.all.end(),
+                                   [&](const FindMatch& m) { return m.scope == chosen.scope && m.node == chosen.node; });
+    if (same != find.all.end()) find.chosen = static_cast<int>(same - find.all.begin());
+  }
   find.chosen = std::clamp(find.chosen, 0, std::max(0, static_cast<int>(find.all.size()) - 1));
 }
 
@@ -112,7 +120,7 @@ void drawField(Editor& editor) {
   ImGui::PopStyleColor();
   editor.trace.item("find/field");
   if (find.query != before || find.revision != editor.document.revision() || find.frame != editor.frame) {
-    if (find.query != before) find.chosen = 0, find.scroll = true;
+    if (find.query != before) find.all.clear(), find.chosen = 0, find.scroll = true;
     searchAgain(editor);
   }
   drawText(draw, theme.body, {at.x + theme.px(5), at.y + theme.px(5)}, palette::kTextDim, icon::kSearch,

@@ -100,19 +100,22 @@ void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right) {
                                 "\xe2\x89\xa4\xe2\x88\x92"
                                 "7");
   const float text = theme.small->FontSize, bar = theme.px(14), width = bar + label + theme.px(6) + 2 * theme.space(2);
+  const float cross = axisCrossHeight(editor, lo, hi), histogram = histogramTop(editor, lo, {right, hi.y});
   // Below the axis cross, where it does not stand beside the picture.
-  const float cross = right - theme.space(2) - width < hi.x ? axisCrossHeight(editor, lo, hi) : 0.0f;
-  const float top = std::round(lo.y + cross + theme.space(2)), histogram = histogramTop(editor, lo, {right, hi.y});
-  const auto bandHeight = [&](float bottom) {
+  const auto topAt = [&](float x) { return std::round(lo.y + (x < hi.x ? cross : 0.0f) + theme.space(2)); };
+  const auto bandHeight = [&](float top, float bottom) {
     return std::floor(std::min(theme.px(17), (bottom - top - theme.space(4) - 2 * text) / kBands));
   };
-  // Above the histogram, or beside it where that is too low.
-  const bool beside = bandHeight(histogram) < theme.px(6) && histogram < hi.y;
-  const float height = bandHeight(beside ? hi.y : histogram);
-  if (height < 4) return;
-  const vec2 b(right - theme.space(2) - (beside ? histogramSize(theme).x + theme.space(2) : 0.0f),
-               top + height * kBands + text + theme.px(6) + 2 * theme.px(6));
-  const vec2 a(b.x - width, top);
+  vec2 a(right - theme.space(2) - width, 0);
+  a.y = topAt(a.x);
+  float height = bandHeight(a.y, histogram);
+  if (height < theme.px(6) && histogram < hi.y) {  // too low above the histogram: beside it
+    a.x -= histogramSize(theme).x + theme.space(2);
+    a.y = topAt(a.x);
+    height = bandHeight(a.y, hi.y);
+  }
+  if (height < 4 || a.x < lo.x) return;
+  const vec2 b = a + vec2(width, height * kBands + text + theme.px(6) + 2 * theme.px(6));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(a), im(b), palette::kChip, theme.px(4));
   drawText(draw, theme.small, {a.x + theme.space(2), a.y + theme.px(6)}, palette::kTextDim, "stops", width);

@@ -148,8 +148,10 @@ void drawOverlays(Editor& editor, vec2 lo, vec2 hi, float right, bool hovered) {
   const bool plain = !editor.compare.on;
   if (plain) drawRegionView(editor, lo, hi, hovered);
   drawInspectorMarks(editor, hovered);
-  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, lo, hi, right);
-  if (editor.settings.showHistogram) drawHistogram(editor, lo, {right, hi.y});
+  // The corners of what is shown: two pictures side by side are wider than one.
+  const vec2 first = editor.viewport.shown.front().min, last = editor.viewport.shown.back().max;
+  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, first, last, right);
+  if (editor.settings.showHistogram) drawHistogram(editor, first, {right, last.y});
   drawPictureNotes(editor, lo, hi);
   if (editor.settings.showHud) drawHud(editor, lo, hi, lo.y + editor.theme.px(editor.compare.on ? 68 : 40));
 }

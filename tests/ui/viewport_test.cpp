@@ -136,6 +136,7 @@ TEST(Viewport, ChannelsLayersInspectorRegionAndStills) {
         return note(t, "hud Bricks").find("resident") != std::string::npos && t["rects"].contains("hud");
       },
       5));
+  ASSERT_TRUE(ui.waitRect("histogram", 5));
   const json rects = ui.trace()["rects"];
   const json legend = rects["false colour legend"], histogram = rects["histogram"];
   EXPECT_TRUE(legend[3].get<double>() <= histogram[1].get<double>() || legend[2].get<double>() <= histogram[0].get<double>())

@@ -24,8 +24,8 @@ struct ProbeResult {
   double nsPerLookup = 0;  ///< 0: not timed
 };
 /// Both. Timed: median of `dispatches` dispatches that take 20 ms each or more, waited for. Each group of points is looked up over and
-/// over before the next, so that its texels are in the caches, as they are for most of a picture's lookups: with points in random order
-/// it is the machine's memory that would be timed.
+/// over (llvmpipe takes the groups of a row in order), so that its texels are in the caches, as they are for most of a picture's lookups:
+/// with one light ray after another at random it is the machine's memory that would be timed.
 Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples, int dispatches = 5);
 
 }  // namespace pileus::view

@@ -31,7 +31,7 @@ struct TuneCandidate {
   std::size_t bytes = 0;         ///< of all lights
   double p95 = 0, mean = 0;      ///< |dT| of the worst light
   double buildMs = 0;            ///< of all lights
-  double nsPerLookup = 0;        ///< sum over lights
+  double nsPerLookup = 0;        ///< sum over lights, with their texels in the caches
   double ms() const { return buildMs + nsPerLookup; }  ///< build and a million lookups (1e6 ns = 1 ms)
 };
 

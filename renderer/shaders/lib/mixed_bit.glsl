@@ -12,6 +12,7 @@
 
 int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
 
+// Subnormal halves are avoided: storing one may flush it, bit and all.
 float withLowBit(float c, bool on, int store) {
   uint bit = on ? 1u : 0u;
   if (store == STORE_FLOAT) return uintBitsToFloat((floatBitsToUint(c) & ~1u) | bit);

@@ -39,15 +39,18 @@ vec4 sampleBlock(ivec4 place, int store, vec2 at, int layer) {
 // The lowest bit of each channel of a texel of coefficients (half or float) as it is stored; `texel`: whole numbers, clamped to the block.
 // Half texels are read by the nearest filter: for a texelFetch llvmpipe works out a level of detail lane by lane.
 bvec4 lowBits(ivec4 place, int store, vec2 texel, int layer) {
-  vec3 at = storeCoordinates(place, texel + 0.5, layer, textureSize(shadowHalf, 0));
 #if STORES & 1
   if (store == STORE_FLOAT) {
     ivec3 p = ivec3(vec2(place.xy) + clamp(texel, vec2(0.0), vec2(float(place.z - 1))), place.w + layer);
     return notEqual(floatBitsToUint(texelFetch(shadowFloat, p, 0)) & 1u, uvec4(0u));
   }
 #endif
-  uvec2 halves = textureLod(shadowHalfBits, at, 0.0).xy;
+#if STORES & 2
+  uvec2 halves = textureLod(shadowHalfBits, storeCoordinates(place, texel + 0.5, layer, textureSize(shadowHalf, 0)), 0.0).xy;
   return notEqual(uvec4(halves.x, halves.x >> 16, halves.y, halves.y >> 16) & 1u, uvec4(0u));
+#else
+  return bvec4(false);
+#endif
 }
 
 // Metric values and interval weights of a light at `at` [texels of the metric's block] of a face.

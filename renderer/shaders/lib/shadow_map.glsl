@@ -37,7 +37,7 @@ void loadCoefficients(int light, int face, vec2 at, out float c[BASIS_FLOATS]) {
 }
 
 // Optical depth at x by the metric and coefficients at `at` [texels of the coefficients' block]. `covers`: the ray meets a medium at all.
-// What depends on x alone is worked out before the coefficients are read, which takes as long.
+// What needs no coefficient is worked out before they are read, which takes as long.
 float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
   float m[METRIC_FLOATS], w[kIntervals], c[BASIS_FLOATS];
   for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;

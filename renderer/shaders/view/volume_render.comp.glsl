@@ -185,7 +185,7 @@ void main() {
 #if !DEPTH
         vec3 p = eye + at * d, source = vec3(0.0);
 #if LIGHTS
-        for (int l = 0; l < LIGHTS; ++l) {  // unrolled: constant offsets into the uniform block are loaded once for all lanes
+        for (int l = 0; l < LIGHTS; ++l) {  // unrolled: offsets into the uniform block are constants
 #else
         int l = 0;
         do {

@@ -82,6 +82,7 @@ void compare(Metric metric, Basis basis) {
     expectNear(o[5], shadow::metricU(metric, m, r[8], w), 1, "u", i);
     if (metric != Metric::Interval) expectNear(o[6], shadow::metricFace(metric, i % 8, r[8]), 1, "face", i);
     expectNear(o[7], shadow::basisTau(basis, c, r[8]), 3, "tau", i);
+    expectNear(o[17], shadow::basisTau(basis, std::span(c).first(std::size_t(1 + i % 7)), r[8]), 3, "tau of fewer", i);
     const double slab = 8.0 * double(r[8]);
     if (basis != Basis::Slab || std::abs(slab - std::round(slab)) > 1e-4) expectNear(o[16], shadow::basisValue(basis, c, r[8]), 8, "value", i);
     std::vector<double> projected(8, 0.0);

@@ -1,4 +1,5 @@
 // Layers of shadow maps in the store. STORES: bit per STORE_* kind that coefficients and metrics of the variant use.
+// METRIC_STORE, where all mapped lights agree in their metric: its kind; METRIC_FLOATS is then no more than it has.
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"

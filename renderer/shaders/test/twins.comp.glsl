@@ -24,6 +24,7 @@ void main() {
   outputs[o + 5] = metricU(metric, metricCount, m, w, x);
   outputs[o + 6] = metricFace(metric, i % 8, x);
   outputs[o + 7] = basisTau(basis, BASIS_FLOATS, c, basisPhase(basis, x));
+  outputs[o + 17] = basisTau(basis, 1 + i % 7, c, basisPhase(basis, x));  // fewer than the variant has room for
   outputs[o + 16] = basisValue(basis, BASIS_FLOATS, c, x);
   for (int k = 0; k < BASIS_FLOATS; ++k) c[k] = 0.0;
   projectStep(basis, c, inputs[a + 9], inputs[a + 10], inputs[a + 11]);

@@ -119,7 +119,9 @@ void drawField(Editor& editor) {
                            ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleColor();
   editor.trace.item("find/field");
-  if (find.query != before || find.revision != editor.document.revision() || find.frame != editor.frame) {
+  // Every parameter of the graph is looked at: not for each frame that plays past.
+  const bool otherFrame = find.frame != editor.frame && !editor.timeline.clock.playing();
+  if (find.query != before || find.revision != editor.document.revision() || otherFrame) {
     if (find.query != before) find.all.clear(), find.chosen = 0, find.scroll = true;
     searchAgain(editor);
   }

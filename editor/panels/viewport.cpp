@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "editor/editor.h"
+#include "editor/viewport/corner_widgets.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
 #include "editor/panels/compare_bar.h"
@@ -148,8 +149,7 @@ void drawOverlays(Editor& editor, vec2 lo, vec2 hi, float right, bool hovered) {
   const bool plain = !editor.compare.on;
   if (plain) drawRegionView(editor, lo, hi, hovered);
   drawInspectorMarks(editor, hovered);
-  // The corners of what is shown: two pictures side by side are wider than one.
-  const vec2 first = editor.viewport.shown.front().min, last = editor.viewport.shown.back().max;
+  const auto [first, last] = shownCorners(editor.viewport);
   if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, first, last, right);
   if (editor.settings.showHistogram) drawHistogram(editor, first, {right, last.y});
   drawPictureNotes(editor, lo, hi);
@@ -273,7 +273,7 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
   }
   if (const float height = inspectorHeight(editor); height > 0) drawInspectorStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
   const bool free = onPicture && !displayTakesPointer(editor);
-  drawViewportTools(editor, lo, hi, free);
+  drawViewportTools(editor, free);
   routeViewportPointer(editor, lo, hi, free);
   editor.trace.rect("viewport", im(lo), im(hi));
 }

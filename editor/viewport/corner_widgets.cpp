@@ -71,6 +71,10 @@ float toolStripWidth(const Editor& editor, vec2 min, vec2 max) {
   return fits ? theme.space(2) + theme.px(kToolSize + 2 * kToolPad) : 0;
 }
 
+Viewport::Rect shownCorners(const Viewport& viewport) {
+  return {viewport.shown.front().min, viewport.shown.back().max};
+}
+
 float axisCrossHeight(const Editor& editor, vec2 min, vec2 max) {
   const Theme& theme = editor.theme;
   const auto& overlays = editor.settings.view.overlays;

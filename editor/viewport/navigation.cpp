@@ -116,7 +116,7 @@ bool hasPicture(const Editor& editor) {
 
 }  // namespace
 
-void drawViewportTools(Editor& editor, vec2 min, vec2 max, bool hovered) {
+void drawViewportTools(Editor& editor, bool hovered) {
   ViewportTools& tools = editor.viewport.tools;
   tools.overWidget = false;
   // It changes with document and frame, and once more when their values have been worked out.
@@ -143,9 +143,7 @@ void drawViewportTools(Editor& editor, vec2 min, vec2 max, bool hovered) {
       ImGui::PopClipRect();
     }
   }
-  // The corners of what is shown: two pictures side by side are wider than one.
-  vec2 lo = min, hi = max;
-  if (!editor.viewport.shown.empty()) lo = editor.viewport.shown.front().min, hi = editor.viewport.shown.back().max;
+  const auto [lo, hi] = shownCorners(editor.viewport);
   if (editor.settings.view.overlays.on) drawAxisCross(editor, Projection(camera, lo, hi), hovered);
   drawToolStrip(editor, lo, hi, hovered);
   drawToolHints(editor, lo, hi, hovered);

@@ -48,8 +48,8 @@ struct ViewportTools {
   bool overWidget = false;
 };
 
-/// Overlays, gizmo and the little controls over a picture between two corners.
-void drawViewportTools(Editor& editor, vec2 min, vec2 max, bool hovered);
+/// Overlays, gizmo and the little controls over the picture, wherever it is shown.
+void drawViewportTools(Editor& editor, bool hovered);
 /// After everything that could be over the picture has been drawn. `hovered`: the pointer is free for it.
 void routeViewportPointer(Editor& editor, vec2 min, vec2 max, bool hovered);
 /// Esc ends what is going on here; false: nothing was.

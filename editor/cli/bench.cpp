@@ -22,6 +22,8 @@ constexpr Table kTables[] = {
     {"figure2", "Ray families through the real maps (figure 2 of the paper and beyond)", benchFigure2},
     {"clouds", "Every representation on 76 clouds", benchCloudField},
     {"three-clouds", "Picture and lookup: three clouds one behind the other", benchThreeClouds},
+    {"silhouette", "Silhouettes: a slanted box edge over another box", benchSilhouette},
+    {"deep", "Deep shadow maps of smoke1.vdb", benchDeep},
     {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},
 };
 

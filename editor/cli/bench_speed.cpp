@@ -73,7 +73,7 @@ double relativeDifference(const image::Image& a, const image::Image& b) {
 
 }  // namespace
 
-Result<void> benchSpeed(const BenchSetup& setup) {
+Result<volume::Instance> benchSmoke(const BenchSetup& setup) {
   if (setup.data.empty()) return fail(Code::Input, "needs smoke1.vdb: set PILEUS_TEST_DATA or --data");
   JobControl control;
   PILEUS_TRY(const volume::ImportedGrid imported, volume::importVdb(setup.data / "vdb" / "smoke1.vdb", "", control));
@@ -82,6 +82,11 @@ Result<void> benchSpeed(const BenchSetup& setup) {
   smoke.grid = imported.grid;
   smoke.worldFromLocal = imported.grid->worldFromIndex;
   smoke.medium.extinction = 0.5;
+  return smoke;
+}
+
+Result<void> benchSpeed(const BenchSetup& setup) {
+  PILEUS_TRY(const volume::Instance smoke, benchSmoke(setup));
   const volume::InstanceList volumes{smoke};
   scene::Light sun;
   sun.towards = scene::sunDirection(30, 40);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "renderer/view/renderer.h"
+#include "renderer/volume/instance.h"
 
 namespace pileus::cli {
 
@@ -27,6 +28,13 @@ inline constexpr const char* kEditorChild = "editor-child";
 Result<void> benchCloudField(const BenchSetup& setup);
 /// Picture error and lookup cost on three clouds one behind the other.
 Result<void> benchThreeClouds(const BenchSetup& setup);
+
+/// Largest error at a silhouette.
+Result<void> benchSilhouette(const BenchSetup& setup);
+/// Error and size of compressed deep maps of smoke1.vdb.
+Result<void> benchDeep(const BenchSetup& setup);
+/// smoke1.vdb of the test volumes, extinction 0.5.
+Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 
 /// Frame time and radiance difference of the map against the march.
 Result<void> benchSpeed(const BenchSetup& setup);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <random>
 
+#include "editor/cli/map_measures.h"
 #include "renderer/shadow/reference.h"
 #include "renderer/shadow/shadow_pass.h"
 #include "renderer/volume/brick_builder.h"
@@ -37,20 +38,9 @@ inline shadow::ShadowSpec transmittance(int coefficients, shadow::Basis basis, i
   s.basis = basis;
   return s;
 }
-inline shadow::ShadowSpec deep(double bound, int resolution = 128) {
-  shadow::ShadowSpec s;
-  s.kind = shadow::ShadowSpec::Kind::Deep;
-  s.errorBound = bound;
-  s.nodeBudget = 4096;
-  s.resolution = resolution;
-  return s;
-}
+inline shadow::ShadowSpec deep(double bound, int resolution = 128) { return cli::deepSpec(bound, resolution); }
 inline shadow::ShadowSpec improved(int intervals, int coefficients, int resolution, bool extras = true, shadow::Storage storage = shadow::Storage::Float) {
-  shadow::ShadowSpec s;
-  s.metric = {shadow::Metric::Interval, intervals, 4, resolution, storage};
-  if (extras) s.metric.weighting = shadow::Weighting::Root, s.metric.horizon = 5.5;
-  s.extinction = {shadow::Basis::Cosine, coefficients, resolution, storage};
-  return s;
+  return cli::intervalSpec(intervals, coefficients, resolution, extras, storage);
 }
 
 /// A grid of `sigma(depth)` along -y, the same across, depth 0 at y = 0.5, one metre deep.

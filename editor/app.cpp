@@ -71,7 +71,8 @@ void evaluate(Editor& editor) {
     editor.window->waitEvents(0);
   }
   if (editor.window->inputPending()) return;
-  if (const double left = kSliceMs - clock.ms(); left > 0) labWantsFrame(editor) ? stepLab(editor, left) : stepCompare(editor, left);
+  if (const double left = kSliceMs - clock.ms(); left > 0)
+    labWantsFrame(editor) ? stepLab(editor, left) : stepCompare(editor, left);
   if (auto outcome = editor.exporter.step()) {
     if (*outcome)
       editor.messages.info("Exported " + outcome->value().string());
@@ -100,7 +101,9 @@ void noteEvents(const Editor& editor) {
                             key.alt ? "Alt+" : "", key.key));
   const ImGuiIO& io = ImGui::GetIO();
   for (int b = 0; b < 3; ++b)
-    if (ImGui::IsMouseClicked(b)) crash::note(fmt::format("button {} at {:.0f}, {:.0f}", b, static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)));
+    if (ImGui::IsMouseClicked(b))
+      crash::note(fmt::format("button {} at {:.0f}, {:.0f}", b, static_cast<double>(io.MousePos.x),
+                              static_cast<double>(io.MousePos.y)));
   if (const std::string label = editor.document.undoLabel(); label != step) {
     step = label;
     crash::note("step: " + label);
@@ -152,8 +155,10 @@ double idleSeconds(const Editor& editor, int settling) {
     if (const double due = helpDueIn(*rest); due > 0) return due;
   double due = 60;
   // A notice is drawn while it fades, and once more when it is gone.
-  if (const double left = editor.messages.msLeft(); left >= 0) due = std::clamp((left - 300) / 1000, 0.05, 30.0);
-  if (const double recovery = editor.recovery.dueSeconds(); recovery >= 0) due = std::min(due, recovery + 0.05);
+  if (const double left = editor.messages.msLeft(); left >= 0)
+    due = std::clamp((left - 300) / 1000, 0.05, 30.0);
+  if (const double recovery = editor.recovery.dueSeconds(); recovery >= 0)
+    due = std::min(due, recovery + 0.05);
   return due;
 }
 

@@ -20,8 +20,8 @@ struct CommandPalette {
   std::string query;
   int chosen = 0;
   bool scrollToChosen = false;
-  std::vector<PaletteEntry> found;   ///< best first
-  std::string foundFor = "\n";  ///< query they were found for
+  std::vector<PaletteEntry> found;  ///< best first
+  std::string foundFor = "\n";      ///< query they were found for
 };
 
 /// Best first: by the match, and those used most recently before others. An empty query lists all.

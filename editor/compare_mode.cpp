@@ -20,7 +20,9 @@ bool whole(const view::ComparePass* pass, CompareOf of) {
 view::RenderScene reduced(const Editor& editor, const view::RenderScene& scene) {
   view::RenderScene out = scene;
   const double pixels = static_cast<double>(scene.options.size.x) * scene.options.size.y;
-  const int by = editor.renderer->device().software ? std::max(2, static_cast<int>(std::lround(std::sqrt(pixels / kCoarsePixels)))) : 2;
+  const int by = editor.renderer->device().software
+                     ? std::max(2, static_cast<int>(std::lround(std::sqrt(pixels / kCoarsePixels))))
+                     : 2;
   out.options.size = glm::max(scene.options.size / by, ivec2(1));
   out.options.samples = static_cast<int>(kCoarseSamples);
   return out;
@@ -50,7 +52,8 @@ void toggleLayout(Editor& editor, CompareLayout layout) {
 }
 
 bool hasShadow(const view::RenderScene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const auto& l) { return l.shadow != nullptr; });
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const auto& l) { return l.shadow != nullptr; });
 }
 
 }  // namespace
@@ -82,7 +85,8 @@ void followPicture(Editor& editor) {
 
 bool compareWantsFrame(const Editor& editor) {
   const CompareMode& mode = editor.compare;
-  if (!mode.on || !mode.error.empty() || !mode.coarse || editor.preview.draft() || editor.preview.paused()) return false;
+  if (!mode.on || !mode.error.empty() || !mode.coarse || editor.preview.draft() || editor.preview.paused())
+    return false;
   if (mode.coarse->fraction() < 1) return true;
   return editor.preview.settled() && (!mode.fine || mode.fine->fraction() < 1);
 }

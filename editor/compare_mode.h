@@ -18,7 +18,8 @@ enum class CompareLayout { Wipe, SideBySide, Error };
 constexpr auto enumInfo(CompareLayout*) {
   using L = CompareLayout;
   return std::array{
-      EnumItem<L>{L::Wipe, "wipe", "Wipe", "The picture left of a line, the truth right of it. Drag the line."},
+      EnumItem<L>{L::Wipe, "wipe", "Wipe",
+                  "The picture left of a line, the truth right of it. Drag the line."},
       EnumItem<L>{L::SideBySide, "side_by_side", "Side by side", "The picture left, the truth right."},
       EnumItem<L>{L::Error, "error", "Error", "Where it is too dark (blue) and where light leaks (red)."}};
 }
@@ -37,11 +38,11 @@ struct CompareMode {
   bool on = false;
   CompareLayout layout = CompareLayout::Wipe;
   CompareOf of = CompareOf::Radiance;
-  bool worst = false;            ///< Error of Shadow: the largest along a ray, not the mean
-  double wipe = 0.5;             ///< of the picture's width
+  bool worst = false;  ///< Error of Shadow: the largest along a ray, not the mean
+  double wipe = 0.5;   ///< of the picture's width
   bool draggingWipe = false;
-  double shadowScale = 0.1;      ///< |dT| at the ends of the colours
-  double radianceScale = 0.1;    ///< the same for radiance; follows the picture while `autoScale`
+  double shadowScale = 0.1;    ///< |dT| at the ends of the colours
+  double radianceScale = 0.1;  ///< the same for radiance; follows the picture while `autoScale`
   bool autoScale = true;
 
   std::shared_ptr<const view::RenderScene> scene;  ///< what the passes below compare

@@ -4,12 +4,13 @@
 #include <memory>
 #include <string>
 
-#include "editor/compare_mode.h"
 #include "editor/command_palette.h"
+#include "editor/compare_mode.h"
 #include "editor/dialogs.h"
 #include "editor/drops.h"
 #include "editor/exporter.h"
 #include "editor/file_browser.h"
+#include "editor/graph_pictures.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/menu.h"
 #include "editor/messages.h"
@@ -23,7 +24,6 @@
 #include "editor/settings.h"
 #include "editor/start_view.h"
 #include "editor/theme.h"
-#include "editor/graph_pictures.h"
 #include "editor/timeline.h"
 #include "editor/tour.h"
 #include "editor/ui_trace.h"
@@ -72,12 +72,12 @@ struct Editor {
   Tour tour;
   Key diskStamp{};  ///< of the document's file as it was last read or written here
   UiTrace trace;
-  int frame = 1;                  ///< the current one: where keys are set and values shown
-  Panel hovered = Panel::Global;  ///< under the pointer: whose keys act
+  int frame = 1;                    ///< the current one: where keys are set and values shown
+  Panel hovered = Panel::Global;    ///< under the pointer: whose keys act
   Panel maximised = Panel::Global;  ///< fills the window; Global: none does
-  float uiScale = 0;  ///< chosen for this session; 0: the screen's
-  double uiMs = 0;                ///< CPU time of it on the interface alone, new frame to draw data, traces left out
-  double frameMs = 0;             ///< of the last frame drawn, evaluation included
+  float uiScale = 0;                ///< chosen for this session; 0: the screen's
+  double uiMs = 0;     ///< CPU time of it on the interface alone, new frame to draw data, traces left out
+  double frameMs = 0;  ///< of the last frame drawn, evaluation included
   bool quit = false;
 };
 

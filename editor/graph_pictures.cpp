@@ -44,7 +44,7 @@ SmallPicture reducedPicture(ivec2 size, const std::vector<unsigned char>& rgba, 
 }
 
 GraphPictures::Shown GraphPictures::load(std::map<std::string, Entry>& in, const std::string& key,
-                                   std::string_view bytes) {
+                                         std::string_view bytes) {
   Entry& entry = in[key];  // also where it cannot be read: once is enough
   loaded_ = true;
   const Result<image::Bitmap> bitmap = image::decodePng(bytes);

@@ -16,8 +16,7 @@ constexpr double kDraftPatienceMs = 400;  // then a newer request replaces an un
 
 bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
   return a.revision == b.revision && a.view == b.view && a.size == b.size && a.freeCamera == b.freeCamera &&
-         a.folder == b.folder && a.frame == b.frame &&
-         a.layer == b.layer && a.region == b.region;
+         a.folder == b.folder && a.frame == b.frame && a.layer == b.layer && a.region == b.region;
 }
 
 bool makesPictures(const nodes::Node& node) {

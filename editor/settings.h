@@ -17,25 +17,25 @@ namespace pileus::editor {
 struct Settings : PanelLayout {
   ivec2 window{0};  ///< 0: by the screen
   Appearance theme = Appearance::Dark;
-  double uiScale = 0;                       ///< 0: the screen's
-  double viewportResolution = 1;            ///< rendered pixels per panel pixel
-  double draftMs = 60;                      ///< what a picture may take while something is dragged
-  bool showInspector = false;               ///< of the viewport: the strip below the picture
+  double uiScale = 0;             ///< 0: the screen's
+  double viewportResolution = 1;  ///< rendered pixels per panel pixel
+  double draftMs = 60;            ///< what a picture may take while something is dragged
+  bool showInspector = false;     ///< of the viewport: the strip below the picture
   bool showHistogram = false;
   bool showHud = false;
-  bool showStart = true;                    ///< the start view, where no file is given
+  bool showStart = true;  ///< the start view, where no file is given
   bool tourSeen = false;
-  bool showTimes = false;                   ///< milliseconds on nodes
-  bool showThumbnails = false;              ///< pictures on nodes
+  bool showTimes = false;       ///< milliseconds on nodes
+  bool showThumbnails = false;  ///< pictures on nodes
   bool showMinimap = true;
-  std::vector<NamedLayout> layouts;         ///< the user's own
-  std::vector<std::string> recentCommands;  ///< action ids run from the palette, newest first
-  ViewSettings view;                        ///< of the viewport
-  std::vector<FileBookmarks> bookmarks;     ///< of the graph canvas, most recently marked file first
-  std::vector<std::string> recentFiles;     ///< absolute, newest first
-  std::vector<std::string> recentNodes;     ///< node type ids, newest first
-  std::vector<std::string> recentFolders;   ///< of the file browser, newest first
-  std::vector<std::string> folderBookmarks; ///< of the file browser, as added
+  std::vector<NamedLayout> layouts;          ///< the user's own
+  std::vector<std::string> recentCommands;   ///< action ids run from the palette, newest first
+  ViewSettings view;                         ///< of the viewport
+  std::vector<FileBookmarks> bookmarks;      ///< of the graph canvas, most recently marked file first
+  std::vector<std::string> recentFiles;      ///< absolute, newest first
+  std::vector<std::string> recentNodes;      ///< node type ids, newest first
+  std::vector<std::string> recentFolders;    ///< of the file browser, newest first
+  std::vector<std::string> folderBookmarks;  ///< of the file browser, as added
 
   bool operator==(const Settings&) const = default;
 };

@@ -51,8 +51,8 @@ class Window {
   /// Wakes waitEvents from any thread.
   static void wake();
   void push(const InputEvent& event) { queue_.push_back(event); }  ///< as if the user had done it
-  bool inputPending() const { return !queue_.empty(); }  ///< more events wait for the next frame
-  bool hadInput() const { return hadInput_; }            ///< this frame got events
+  bool inputPending() const { return !queue_.empty(); }            ///< more events wait for the next frame
+  bool hadInput() const { return hadInput_; }                      ///< this frame got events
 
   void beginFrame();                   ///< feeds events, starts the ImGui frame
   void finishUi();                     ///< the frame's draw data are made

@@ -1,6 +1,6 @@
 #pragma once
-// makeNode: turns `struct In`, `struct Out`, describe() and evaluate() of one file into a NodeType. Typed member pointers, so that a
-// misspelt parameter is a compile error.
+// makeNode: turns `struct In`, `struct Out`, describe() and evaluate() of one file into a NodeType. Typed
+// member pointers, so that a misspelt parameter is a compile error.
 #include <cmath>
 #include <type_traits>
 
@@ -12,44 +12,67 @@ namespace pileus::nodes {
 namespace detail {
 
 template <class M>
-constexpr bool isSocket = std::is_same_v<M, VolumeValue> || std::is_same_v<M, LightValue> || std::is_same_v<M, MetricValue> ||
-                          std::is_same_v<M, CameraValue> || std::is_same_v<M, SolidValue> || std::is_same_v<M, ImageValue>;
+constexpr bool isSocket =
+    std::is_same_v<M, VolumeValue> || std::is_same_v<M, LightValue> || std::is_same_v<M, MetricValue> ||
+    std::is_same_v<M, CameraValue> || std::is_same_v<M, SolidValue> || std::is_same_v<M, ImageValue>;
 
 template <class M>
 constexpr SocketType socketType() {
-  if constexpr (std::is_same_v<M, VolumeValue>) return SocketType::Volume;
-  else if constexpr (std::is_same_v<M, LightValue>) return SocketType::Light;
-  else if constexpr (std::is_same_v<M, MetricValue>) return SocketType::Metric;
-  else if constexpr (std::is_same_v<M, CameraValue>) return SocketType::Camera;
-  else if constexpr (std::is_same_v<M, SolidValue>) return SocketType::Solid;
-  else if constexpr (std::is_same_v<M, ImageValue>) return SocketType::Image;
-  else if constexpr (std::is_same_v<M, double>) return SocketType::Number;
-  else if constexpr (std::is_same_v<M, dvec3>) return SocketType::Vector;
-  else if constexpr (std::is_same_v<M, Color>) return SocketType::Color;
-  else return SocketType::Text;
+  if constexpr (std::is_same_v<M, VolumeValue>)
+    return SocketType::Volume;
+  else if constexpr (std::is_same_v<M, LightValue>)
+    return SocketType::Light;
+  else if constexpr (std::is_same_v<M, MetricValue>)
+    return SocketType::Metric;
+  else if constexpr (std::is_same_v<M, CameraValue>)
+    return SocketType::Camera;
+  else if constexpr (std::is_same_v<M, SolidValue>)
+    return SocketType::Solid;
+  else if constexpr (std::is_same_v<M, ImageValue>)
+    return SocketType::Image;
+  else if constexpr (std::is_same_v<M, double>)
+    return SocketType::Number;
+  else if constexpr (std::is_same_v<M, dvec3>)
+    return SocketType::Vector;
+  else if constexpr (std::is_same_v<M, Color>)
+    return SocketType::Color;
+  else
+    return SocketType::Text;
 }
 
 /// Joins lists; other values are replaced by the last link.
 template <class M>
 void assignSocket(M& member, const SocketValue& value) {
   if (const M* v = std::get_if<M>(&value)) {
-    if constexpr (std::is_same_v<M, MetricValue>) member = *v;  // its solids belong to its maps
-    else if constexpr (requires { member.items; }) member.items.insert(member.items.end(), v->items.begin(), v->items.end());
-    else member = *v;
+    if constexpr (std::is_same_v<M, MetricValue>)
+      member = *v;  // its solids belong to its maps
+    else if constexpr (requires { member.items; })
+      member.items.insert(member.items.end(), v->items.begin(), v->items.end());
+    else
+      member = *v;
   }
 }
 
 template <class M>
 ParamType paramType() {
-  if constexpr (std::is_same_v<M, bool>) return ParamType::Bool;
-  else if constexpr (std::is_same_v<M, int>) return ParamType::Int;
-  else if constexpr (std::is_same_v<M, double>) return ParamType::Float;
-  else if constexpr (std::is_same_v<M, dvec3>) return ParamType::Vector;
-  else if constexpr (std::is_same_v<M, Color>) return ParamType::Color;
-  else if constexpr (std::is_same_v<M, FilePath>) return ParamType::File;
-  else if constexpr (std::is_same_v<M, std::string>) return ParamType::Text;
-  else if constexpr (std::is_same_v<M, Curve>) return ParamType::Curve;
-  else if constexpr (std::is_same_v<M, Ramp>) return ParamType::Ramp;
+  if constexpr (std::is_same_v<M, bool>)
+    return ParamType::Bool;
+  else if constexpr (std::is_same_v<M, int>)
+    return ParamType::Int;
+  else if constexpr (std::is_same_v<M, double>)
+    return ParamType::Float;
+  else if constexpr (std::is_same_v<M, dvec3>)
+    return ParamType::Vector;
+  else if constexpr (std::is_same_v<M, Color>)
+    return ParamType::Color;
+  else if constexpr (std::is_same_v<M, FilePath>)
+    return ParamType::File;
+  else if constexpr (std::is_same_v<M, std::string>)
+    return ParamType::Text;
+  else if constexpr (std::is_same_v<M, Curve>)
+    return ParamType::Curve;
+  else if constexpr (std::is_same_v<M, Ramp>)
+    return ParamType::Ramp;
   else {
     static_assert(DescribedEnum<M>, "a parameter enum needs enumInfo beside it");
     return ParamType::Enum;
@@ -58,18 +81,26 @@ ParamType paramType() {
 
 template <class M>
 ParamValue toParam(const M& v) {
-  if constexpr (std::is_same_v<M, Color>) return dvec3(v.rgb);
-  else if constexpr (std::is_same_v<M, FilePath>) return v.path;
-  else if constexpr (DescribedEnum<M>) return std::string(enumId(v));
-  else return v;
+  if constexpr (std::is_same_v<M, Color>)
+    return dvec3(v.rgb);
+  else if constexpr (std::is_same_v<M, FilePath>)
+    return v.path;
+  else if constexpr (DescribedEnum<M>)
+    return std::string(enumId(v));
+  else
+    return v;
 }
 
 template <class M>
 void fromParam(M& member, const ParamValue& v) {
-  if constexpr (std::is_same_v<M, Color>) member.rgb = vec3(std::get<dvec3>(v));
-  else if constexpr (std::is_same_v<M, FilePath>) member.path = std::get<std::string>(v);
-  else if constexpr (DescribedEnum<M>) member = enumFromId<M>(std::get<std::string>(v)).value_or(member);
-  else member = std::get<M>(v);
+  if constexpr (std::is_same_v<M, Color>)
+    member.rgb = vec3(std::get<dvec3>(v));
+  else if constexpr (std::is_same_v<M, FilePath>)
+    member.path = std::get<std::string>(v);
+  else if constexpr (DescribedEnum<M>)
+    member = enumFromId<M>(std::get<std::string>(v)).value_or(member);
+  else
+    member = std::get<M>(v);
 }
 
 }  // namespace detail
@@ -94,7 +125,9 @@ class ParamRow {
     return spec_->data = {std::move(input), std::move(lowest), std::move(highest), std::move(what)}, *this;
   }
   ParamRow& socket() { return spec_->socket = true, *this; }
-  ParamRow& file(std::string kinds, bool writes = false) { return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this; }
+  ParamRow& file(std::string kinds, bool writes = false) {
+    return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this;
+  }
 
  private:
   ParamSpec* spec_;
@@ -140,7 +173,9 @@ class Describe {
       s.label = labelFromId(id);
       s.id = std::move(id);
       s.type = detail::socketType<M>();
-      s.assign = [member](void* in, const SocketValue& v) { detail::assignSocket(static_cast<In*>(in)->*member, v); };
+      s.assign = [member](void* in, const SocketValue& v) {
+        detail::assignSocket(static_cast<In*>(in)->*member, v);
+      };
       return SocketRow(s);
     } else {
       ParamSpec& p = type_->params.emplace_back();
@@ -152,7 +187,9 @@ class Describe {
       if constexpr (DescribedEnum<M>)
         for (const auto& item : enumInfo(static_cast<M*>(nullptr)))
           p.choices.push_back({std::string(item.id), std::string(item.label), std::string(item.help)});
-      p.set = [member](void* in, const ParamValue& v) { detail::fromParam(static_cast<In*>(in)->*member, v); };
+      p.set = [member](void* in, const ParamValue& v) {
+        detail::fromParam(static_cast<In*>(in)->*member, v);
+      };
       return ParamRow(p);
     }
   }
@@ -172,7 +209,8 @@ class Describe {
 };
 
 template <class In, class Out>
-NodeType makeNode(std::string id, int version, void (*describe)(Describe<In, Out>&), Result<Out> (*evaluate)(const In&, EvalContext&)) {
+NodeType makeNode(std::string id, int version, void (*describe)(Describe<In, Out>&),
+                  Result<Out> (*evaluate)(const In&, EvalContext&)) {
   NodeType type;
   type.id = std::move(id);
   type.version = version;

@@ -102,7 +102,10 @@ std::vector<std::string> categories() {
 Ordered socketsJson(const std::vector<SocketSpec>& sockets, bool inputs) {
   Ordered list = Ordered::array();
   for (const SocketSpec& s : sockets) {
-    Ordered json = {{"id", s.id}, {"label", s.label}, {"type", s.any ? "any" : std::string(enumId(s.type))}, {"help", s.help}};
+    Ordered json = {{"id", s.id},
+                    {"label", s.label},
+                    {"type", s.any ? "any" : std::string(enumId(s.type))},
+                    {"help", s.help}};
     if (inputs) json["many"] = s.many, json["required"] = s.required;
     list.push_back(std::move(json));
   }
@@ -110,18 +113,18 @@ Ordered socketsJson(const std::vector<SocketSpec>& sockets, bool inputs) {
 }
 
 std::string_view typeId(ParamType type) {
-  constexpr std::string_view ids[] = {"bool", "int", "float", "vector", "color", "text", "file",
-                                      "enum", "curve", "ramp"};
+  constexpr std::string_view ids[] = {"bool", "int",  "float", "vector", "color",
+                                      "text", "file", "enum",  "curve",  "ramp"};
   return ids[static_cast<std::size_t>(type)];
 }
 
 Ordered paramJson(const ParamSpec& p) {
   Ordered json = {{"id", p.id},
-               {"label", p.label},
-               {"type", std::string(typeId(p.type))},
-               {"default", paramJson(p.fallback)},
-               {"unit", p.unit},
-               {"help", p.help}};
+                  {"label", p.label},
+                  {"type", std::string(typeId(p.type))},
+                  {"default", paramJson(p.fallback)},
+                  {"unit", p.unit},
+                  {"help", p.help}};
   if (hasRange(p)) {
     json["range"] = {p.hardMin, p.hardMax};
     if (p.softMin < p.softMax) json["softRange"] = {p.softMin, p.softMax};

@@ -1,6 +1,6 @@
 #pragma once
-// The document: a graph with its undo history, selection and file. One per window, on the UI thread. What is edited is the graph of the
-// current scope: the whole, or a group that was entered.
+// The document: a graph with its undo history, selection and file. One per window, on the UI thread. What is
+// edited is the graph of the current scope: the whole, or a group that was entered.
 #include <deque>
 #include <filesystem>
 #include <set>
@@ -23,8 +23,8 @@ class Document {
 
   /// Names of the groups from the root to graph(); empty at the root.
   const std::vector<std::string>& scope() const { return scope_; }
-  bool enter(const std::string& group);  ///< of graph(); false: there is none. Never an undo step
-  void leave(std::size_t levels = 1);    ///< selects the group that was left
+  bool enter(const std::string& group);           ///< of graph(); false: there is none. Never an undo step
+  void leave(std::size_t levels = 1);             ///< selects the group that was left
   void setScope(std::vector<std::string> scope);  ///< as far as it exists
   /// "Group/Node": a node of graph() by its path, as the evaluator knows it.
   std::string scopedName(const std::string& name) const;
@@ -32,9 +32,10 @@ class Document {
   const std::set<std::string>& selection() const { return selection_; }  ///< nodes of graph()
   void select(std::set<std::string> names);  ///< those that are nodes of graph(); never an undo step
 
-  /// A new step: `graph` takes the place of graph() (settings are the document's in every scope). Steps with the same non-empty mergeKey
-  /// in a row become one (a drag); endMerge() closes it. A graph equal to the current one is no step.
-  /// False, and nothing is changed, where groups would be nested deeper than kDeepestGroup (graph_groups.h).
+  /// A new step: `graph` takes the place of graph() (settings are the document's in every scope). Steps with
+  /// the same non-empty mergeKey in a row become one (a drag); endMerge() closes it. A graph equal to the
+  /// current one is no step. False, and nothing is changed, where groups would be nested deeper than
+  /// kDeepestGroup (graph_groups.h).
   bool edit(Graph graph, std::string label, std::string_view mergeKey = {});
   /// The same for the whole, whatever the scope.
   bool editRoot(Graph root, std::string label, std::string_view mergeKey = {});
@@ -50,10 +51,12 @@ class Document {
   std::size_t steps() const { return steps_.size() - 1; }
 
   const std::filesystem::path& path() const { return path_; }
-  bool dirty() const;            ///< differs from what was saved or loaded
+  bool dirty() const;  ///< differs from what was saved or loaded
   void markSaved(std::filesystem::path path);
   std::uint64_t revision() const { return revision_; }  ///< changes with every change of root()
-  std::uint64_t graphRevision() const { return graphRevision_; }  ///< and this one with every change of graph(), the scope's included
+  std::uint64_t graphRevision() const {
+    return graphRevision_;
+  }  ///< and this one with every change of graph(), the scope's included
 
  private:
   struct Step {

@@ -19,7 +19,7 @@ class ColorConfig;
 namespace pileus::view {
 struct Picture;
 class Renderer;  // renderer/view/renderer.h: the GPU services (pools, programs, stores)
-}
+}  // namespace pileus::view
 
 namespace pileus::nodes {
 
@@ -31,23 +31,26 @@ enum class Quality {
 /// What the evaluator is asked for, beside the graph.
 struct EvalSettings {
   int frame = 1;
-  ivec2 size{1280, 720};                       ///< full picture size; a draft divides it itself
+  ivec2 size{1280, 720};  ///< full picture size; a draft divides it itself
   Quality quality = Quality::Final;
-  std::optional<scene::Camera> freeCamera;     ///< the viewport's camera; absent: pictures without a camera frame the volumes
-  std::filesystem::path folder;                ///< relative file parameters start here
-  int draftPixels = 0;                         ///< of a draft's picture; 0: as the device allows
-  int draftTexels = 0;                         ///< along the edge of a draft's shadow map; 0: as the device allows
-  view::PictureLayer layer;                    ///< what pictures hold
-  view::ExtraLayers extra;                     ///< and what is made beside it
-  view::PictureRegion region;                  ///< the part of a picture that is made
-  std::shared_ptr<const view::Picture> seed;   ///< what parts still to come show; no part of any key
-  double fps = 24;                             ///< the document's; the evaluator sets it
-  double budgetMs = 30;                        ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
+  std::optional<scene::Camera>
+      freeCamera;  ///< the viewport's camera; absent: pictures without a camera frame the volumes
+  std::filesystem::path folder;  ///< relative file parameters start here
+  int draftPixels = 0;           ///< of a draft's picture; 0: as the device allows
+  int draftTexels = 0;           ///< along the edge of a draft's shadow map; 0: as the device allows
+  view::PictureLayer layer;      ///< what pictures hold
+  view::ExtraLayers extra;       ///< and what is made beside it
+  view::PictureRegion region;    ///< the part of a picture that is made
+  std::shared_ptr<const view::Picture> seed;  ///< what parts still to come show; no part of any key
+  double fps = 24;                            ///< the document's; the evaluator sets it
+  double budgetMs =
+      30;  ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
 };
 
 class EvalContext {
  public:
-  EvalContext(const EvalSettings& settings, view::Renderer* renderer, std::any& state, const Key& key, const Stopwatch& clock)
+  EvalContext(const EvalSettings& settings, view::Renderer* renderer, std::any& state, const Key& key,
+              const Stopwatch& clock)
       : settings_(&settings), renderer_(renderer), state_(&state), key_(key), clock_(&clock) {}
 
   // Context values: legal only where the type's uses() declares them (they enter the content key there).
@@ -68,7 +71,8 @@ class EvalContext {
   /// This evaluation's content key.
   const Key& key() const { return key_; }
 
-  /// This node's state object, kept between calls for one content key until the node is complete (then dropped) or the key is no longer wanted.
+  /// This node's state object, kept between calls for one content key until the node is complete (then
+  /// dropped) or the key is no longer wanted.
   template <class State>
   State& state() {
     if (!state_->has_value()) *state_ = std::make_shared<State>();
@@ -78,9 +82,10 @@ class EvalContext {
   /// Milliseconds left of the budget; the first step of a call is always done, so that progress is made.
   double msLeft() const { return settings_->budgetMs - clock_->ms(); }
 
-  /// The returned value is usable but not final: show it and call again. `revision` enters the key of everything downstream, so it
-  /// changes only where downstream nodes shall run again on the better value. `waitsForJob`: this thread has nothing to do for it until
-  /// a job reports. With an infinite budget partial values do not flow on: downstream waits for the final one.
+  /// The returned value is usable but not final: show it and call again. `revision` enters the key of
+  /// everything downstream, so it changes only where downstream nodes shall run again on the better value.
+  /// `waitsForJob`: this thread has nothing to do for it until a job reports. With an infinite budget partial
+  /// values do not flow on: downstream waits for the final one.
   void partial(double fraction, std::uint64_t revision = 0, bool waitsForJob = false) {
     incomplete_ = true, usable_ = true, fraction_ = fraction, revision_ = revision, waits_ = waitsForJob;
   }

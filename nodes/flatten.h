@@ -9,7 +9,8 @@
 namespace pileus::nodes {
 
 struct FlatGraph {
-  /// Names are paths ("Group/Node"). Sockets of groups are dots here; disabled nodes, their links and muted links are gone.
+  /// Names are paths ("Group/Node"). Sockets of groups are dots here; disabled nodes, their links and muted
+  /// links are gone.
   Graph graph;
   std::set<std::string> groups;         ///< paths of the groups taken apart
   std::map<std::string, Error> faults;  ///< groups that could not be, by path; they stay as nodes

@@ -1,5 +1,6 @@
 #pragma once
-// Edits of frames: titled rectangles that carry the nodes inside them. An index that is out of range changes nothing.
+// Edits of frames: titled rectangles that carry the nodes inside them. An index that is out of range changes
+// nothing.
 #include <set>
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the sockets of a node are: one description for canvas, search, checks and files, whether they are declared by its type, an
-// exposed parameter, a dot's, a group's or only known from links.
+// What the sockets of a node are: one description for canvas, search, checks and files, whether they are
+// declared by its type, an exposed parameter, a dot's, a group's or only known from links.
 #include <map>
 #include <optional>
 #include <string>

@@ -99,14 +99,16 @@ Result<ParamValue> parseParam(const ParamSpec& spec, std::string_view text) {
     }
     case ParamType::Curve: {
       Curve curve{{}};
-      PILEUS_CHECK(readPoints(word, 2, curve.shape,
-                              [&](const double* v) { curve.points.push_back({v[0], v[1]}); }));
+      PILEUS_CHECK(readPoints(word, 2, curve.shape, [&](const double* v) {
+        curve.points.push_back({v[0], v[1]});
+      }));
       return checkedParam(spec, curve);
     }
     case ParamType::Ramp: {
       Ramp ramp{{}};
-      PILEUS_CHECK(readPoints(word, 4, ramp.shape,
-                              [&](const double* v) { ramp.stops.push_back({v[0], {v[1], v[2], v[3]}}); }));
+      PILEUS_CHECK(readPoints(word, 4, ramp.shape, [&](const double* v) {
+        ramp.stops.push_back({v[0], {v[1], v[2], v[3]}});
+      }));
       return checkedParam(spec, ramp);
     }
   }

@@ -27,7 +27,8 @@ Json graphJson(const Graph& graph, bool withSettings);
 /// Reads what it can; everything wrong becomes a fault. `json` is an object of the current format.
 Graph graphFromJson(const Json& json, std::vector<Fault>& faults);
 
-/// Faults of links, those within groups too: sockets, types, taken inputs and cycles. `prefix` is the path of the group.
+/// Faults of links, those within groups too: sockets, types, taken inputs and cycles. `prefix` is the path of
+/// the group.
 void checkLinks(const Graph& graph, std::vector<Fault>& faults, const std::string& prefix);
 
 }  // namespace pileus::nodes

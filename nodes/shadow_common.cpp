@@ -38,20 +38,27 @@ void noteDeep(const std::vector<std::unique_ptr<shadow::ShadowPass>>& passes, Ev
       all.worstBound = std::max(all.worstBound, s->worstBound);
     }
   if (all.texels == 0) return;
-  ctx.note(fmt::format("{} vertices, {:.1f} MiB with headers; {:.1f}x smaller than uncompressed", all.vertices, double((all.vertices + all.texels) * 8) / (1 << 20), all.compression()));
+  ctx.note(fmt::format("{} vertices, {:.1f} MiB with headers; {:.1f}x smaller than uncompressed",
+                       all.vertices, double((all.vertices + all.texels) * 8) / (1 << 20), all.compression()));
   if (all.overBudget > 0)
-    ctx.warn(fmt::format("node_budget: {} of {} texels needed more vertices and got a larger error bound, up to {:.3g}", all.overBudget, all.texels, all.worstBound));
+    ctx.warn(fmt::format(
+        "node_budget: {} of {} texels needed more vertices and got a larger error bound, up to {:.3g}",
+        all.overBudget, all.texels, all.worstBound));
 }
 
 }  // namespace
 
-Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights, const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx, const char* what) {
+Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights,
+                                const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx,
+                                const char* what) {
   PILEUS_TRY(const std::vector<scene::Light> bare, lightsOf(lights));
   PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
   auto& queue = ctx.state<PassQueue<shadow::ShadowPass>>();
   if (queue.passes.empty())
     for (const scene::Light& light : bare)
-      queue.passes.push_back(std::make_unique<shadow::ShadowPass>(shadow::withResolution(spec, draftResolution(shadow::resolutionOf(spec), ctx)), light, volumes.items, solids.items));
+      queue.passes.push_back(std::make_unique<shadow::ShadowPass>(
+          shadow::withResolution(spec, draftResolution(shadow::resolutionOf(spec), ctx)), light,
+          volumes.items, solids.items));
   double gpuMs = 0;
   PILEUS_TRY(const double fraction, queue.run(renderer->gpu(), ctx, gpuMs));
   LightValue out;
@@ -62,8 +69,10 @@ Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue
     out.items.push_back({bare[i], map});
   }
   ctx.reportGpu(gpuMs, bytes);
-  if (fraction < 1) ctx.pending(fraction, what);
-  else noteDeep(queue.passes, ctx);
+  if (fraction < 1)
+    ctx.pending(fraction, what);
+  else
+    noteDeep(queue.passes, ctx);
   return out;
 }
 

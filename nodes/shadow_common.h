@@ -36,8 +36,10 @@ struct PassQueue {
   }
 };
 
-/// Builds `spec` for every light and returns the lights with their shadows; pending with `what` until all are there.
-Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights, const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx,
+/// Builds `spec` for every light and returns the lights with their shadows; pending with `what` until all are
+/// there.
+Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights,
+                                const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx,
                                 const char* what);
 
 }  // namespace pileus::nodes

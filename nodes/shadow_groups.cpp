@@ -14,11 +14,13 @@ bool alike(const ShadowSpec& a, const ShadowSpec& b) {
 
 }  // namespace
 
-std::vector<ShadowGroup> shadowGroups(const Graph& graph, const std::string& renderNode, double frame, const view::RenderScene& scene) {
+std::vector<ShadowGroup> shadowGroups(const Graph& graph, const std::string& renderNode, double frame,
+                                      const view::RenderScene& scene) {
   std::vector<ShadowGroup> groups;
   for (const ShadowNodes& n : shadowsOf(graph, renderNode, frame)) {
     if (n.spec.kind == ShadowSpec::Kind::RayMarch) continue;
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const ShadowGroup& g) { return alike(g.nodes.front().spec, n.spec); });
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const ShadowGroup& g) { return alike(g.nodes.front().spec, n.spec); });
     (same == groups.end() ? groups.emplace_back() : *same).nodes.push_back(n);
   }
   for (const view::Caster& c : view::casters(scene)) {

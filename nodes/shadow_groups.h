@@ -11,7 +11,8 @@ struct ShadowGroup {
 };
 
 /// Of `renderNode` at `frame`, whose scene this is; ray marches are left out.
-std::vector<ShadowGroup> shadowGroups(const Graph& graph, const std::string& renderNode, double frame, const view::RenderScene& scene);
+std::vector<ShadowGroup> shadowGroups(const Graph& graph, const std::string& renderNode, double frame,
+                                      const view::RenderScene& scene);
 
 /// The graph with `spec` in all nodes of the group.
 Result<Graph> writeGroup(const Graph& graph, const ShadowGroup& group, const shadow::ShadowSpec& spec);

@@ -14,9 +14,10 @@ struct KindName {
   Kind kind;
   const char* type;
 };
-constexpr std::array kKinds{KindName{Kind::Extinction, "shadow.extinction"}, KindName{Kind::FourierOpacity, "shadow.fourier_opacity"},
-                            KindName{Kind::TransmittanceFunction, "shadow.transmittance_function"}, KindName{Kind::Deep, "shadow.deep"},
-                            KindName{Kind::RayMarch, "shadow.ray_march"}};
+constexpr std::array kKinds{
+    KindName{Kind::Extinction, "shadow.extinction"}, KindName{Kind::FourierOpacity, "shadow.fourier_opacity"},
+    KindName{Kind::TransmittanceFunction, "shadow.transmittance_function"},
+    KindName{Kind::Deep, "shadow.deep"}, KindName{Kind::RayMarch, "shadow.ray_march"}};
 constexpr int kDefaultResolution = 1024;  ///< of shadow.extinction without a metric
 
 std::optional<Kind> kindOf(std::string_view type) {
@@ -25,7 +26,8 @@ std::optional<Kind> kindOf(std::string_view type) {
   return std::nullopt;
 }
 
-/// Every parameter of a node type and the member it stands for, walked in one place: by what reads and by what writes.
+/// Every parameter of a node type and the member it stands for, walked in one place: by what reads and by
+/// what writes.
 template <class Spec, class Visit>
 void visitMetric(Spec& m, const Visit& visit) {
   visit("representation", m.metric);
@@ -69,7 +71,9 @@ void visitShadow(Spec& s, const Visit& visit) {
       visit("filter", s.filter);
       visit("resolution", s.resolution);
       return;
-    case Kind::RayMarch: visit("step_scale", s.stepScale); return;
+    case Kind::RayMarch:
+      visit("step_scale", s.stepScale);
+      return;
   }
 }
 
@@ -103,11 +107,15 @@ class Writer {
   void operator()(const char* id, const T& member) const {
     if (error_) return;
     ParamValue value;
-    if constexpr (DescribedEnum<T>) value = std::string(enumId(member));
-    else value = member;
+    if constexpr (DescribedEnum<T>)
+      value = std::string(enumId(member));
+    else
+      value = member;
     auto edited = setParam(graph_, node_, id, value);
-    if (edited) graph_ = std::move(edited).value();
-    else error_ = edited.error();
+    if (edited)
+      graph_ = std::move(edited).value();
+    else
+      error_ = edited.error();
   }
   Result<Graph> finish() && {
     if (error_) return *error_;
@@ -138,12 +146,14 @@ Result<ShadowNodes> readShadow(const Graph& graph, const std::string& name, doub
   if (*kind != Kind::Extinction) return out;
   out.spec.metric.metric = shadow::Metric::None;
   if (const Link* link = linkInto(graph, name, "metric"))
-    if (const Node* metric = findNode(graph, link->fromNode); metric && metric->type == "shadow.pseudometric") {
+    if (const Node* metric = findNode(graph, link->fromNode);
+        metric && metric->type == "shadow.pseudometric") {
       out.metric = link->fromNode;
       visitMetric(out.spec.metric, Reader(*metric, frame));
     }
   // 0: the metric's.
-  if (out.spec.extinction.resolution == 0) out.spec.extinction.resolution = out.metric.empty() ? kDefaultResolution : out.spec.metric.resolution;
+  if (out.spec.extinction.resolution == 0)
+    out.spec.extinction.resolution = out.metric.empty() ? kDefaultResolution : out.spec.metric.resolution;
   if (out.metric.empty()) out.spec.metric.resolution = out.spec.extinction.resolution;
   return out;
 }
@@ -162,7 +172,9 @@ std::vector<ShadowNodes> shadowsOf(const Graph& graph, const std::string& render
     for (const Link& l : graph.links) {
       if (l.muted || l.toNode != name || !type) continue;
       const int input = type->inputIndex(l.toSocket);
-      if (input >= 0 && (type->inputs[std::size_t(input)].any || type->inputs[std::size_t(input)].type == SocketType::Light)) visit(l.fromNode);
+      if (input >= 0 && (type->inputs[std::size_t(input)].any ||
+                         type->inputs[std::size_t(input)].type == SocketType::Light))
+        visit(l.fromNode);
     }
   };
   visit(renderNode);
@@ -171,12 +183,15 @@ std::vector<ShadowNodes> shadowsOf(const Graph& graph, const std::string& render
 
 Result<Graph> writeShadow(const Graph& graph, const ShadowNodes& shadow, const ShadowSpec& wanted) {
   const Node* node = findNode(graph, shadow.node);
-  if (!node || kindOf(node->type) != wanted.kind) return fail(Code::Arguments, "{}: is no node for {}", shadow.node, shadow::describe(wanted));
+  if (!node || kindOf(node->type) != wanted.kind)
+    return fail(Code::Arguments, "{}: is no node for {}", shadow.node, shadow::describe(wanted));
   ShadowSpec spec = wanted;
   Graph edited = graph;
   if (spec.kind == Kind::Extinction) {
     if (shadow.metric.empty() != (spec.metric.metric == shadow::Metric::None))
-      return fail(Code::Arguments, "{}: {}", shadow.node, shadow.metric.empty() ? "has no pseudometric to write to" : "its pseudometric cannot become none");
+      return fail(
+          Code::Arguments, "{}: {}", shadow.node,
+          shadow.metric.empty() ? "has no pseudometric to write to" : "its pseudometric cannot become none");
     if (!shadow.metric.empty()) {
       Writer metric(std::move(edited), shadow.metric);
       visitMetric(std::as_const(spec.metric), metric);

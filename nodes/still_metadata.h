@@ -8,8 +8,9 @@
 
 namespace pileus::nodes {
 
-/// "software", "pileus:workingSpace", "pileus:graph" (hash of the graph's text) and the text itself, with file
-/// names as seen from `target` (relative ones start in `folder`): a still dropped on the window opens its graph.
+/// "software", "pileus:workingSpace", "pileus:graph" (hash of the graph's text) and the text itself, with
+/// file names as seen from `target` (relative ones start in `folder`): a still dropped on the window opens
+/// its graph.
 std::map<std::string, std::string> stillMetadata(const Graph& graph, const std::filesystem::path& target,
                                                  const std::filesystem::path& folder);
 

@@ -25,10 +25,10 @@ bool layoutShown(const Editor& e) {
   return static_cast<const PanelLayout&>(e.settings) == builtInLayouts()[kIndex].panels;
 }
 
-#define PANEL(kind, label, ...)                                                                \
-  {                                                                                            \
-    "view.panel_" #kind, label, "View/Panels", P::Global, {__VA_ARGS__}, togglePanel<P::kind>, \
-        nullptr, panelShown<P::kind>                                                           \
+#define PANEL(kind, label, ...)                                                                         \
+  {                                                                                                     \
+    "view.panel_" #kind, label, "View/Panels", P::Global, {__VA_ARGS__}, togglePanel<P::kind>, nullptr, \
+        panelShown<P::kind>                                                                             \
   }
 
 #define LAYOUT(index, id, label) \

@@ -46,7 +46,8 @@ int benchMain(const BenchOptions& options, const std::function<int()>& window) {
     return static_cast<int>(renderer.error().code);
   }
   setup.renderer = renderer->get();
-  std::printf("Device: %s, %s\n", setup.renderer->device().renderer.c_str(), setup.renderer->device().version.c_str());
+  std::printf("Device: %s, %s\n", setup.renderer->device().renderer.c_str(),
+              setup.renderer->device().version.c_str());
   int status = 0, ran = 0;
   for (const Table& table : kTables) {
     if (std::string_view(table.name).find(options.only) == std::string_view::npos) continue;

@@ -6,8 +6,8 @@
 namespace pileus::cli {
 
 struct BenchOptions {
-  std::string data;   ///< folder with test volumes; "" = $PILEUS_TEST_DATA; absent: tables that need it say so
-  std::string only;   ///< run only tables whose name contains this
+  std::string data;  ///< folder with test volumes; "" = $PILEUS_TEST_DATA; absent: tables that need it say so
+  std::string only;  ///< run only tables whose name contains this
 };
 
 /// `window`: measures in a real window; returns an exit code.

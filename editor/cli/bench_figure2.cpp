@@ -37,9 +37,15 @@ const Row kRows[] = {
     {"interval K = 8, weights + cosine 8", interval(8, shadow::Weighting::Root, 0), {Basis::Cosine, 8}},
     {"interval K = 8 + 8 cosines per interval", {Metric::Interval, 8}, {Basis::Piecewise, 8}},
     {"interval K = 4, horizon 5.5 + cosine 8", interval(4, shadow::Weighting::None, 5.5), {Basis::Cosine, 8}},
-    {"interval K = 4, horizon 5.5 + cosine 16", interval(4, shadow::Weighting::None, 5.5), {Basis::Cosine, 16}},
-    {"interval K = 4, weights, horizon 5.5 + cosine 8", interval(4, shadow::Weighting::Root, 5.5), {Basis::Cosine, 8}},
-    {"interval K = 4 in 8 bits + cosine 12", interval(4, shadow::Weighting::None, 0, true), {Basis::Cosine, 12}},
+    {"interval K = 4, horizon 5.5 + cosine 16",
+     interval(4, shadow::Weighting::None, 5.5),
+     {Basis::Cosine, 16}},
+    {"interval K = 4, weights, horizon 5.5 + cosine 8",
+     interval(4, shadow::Weighting::Root, 5.5),
+     {Basis::Cosine, 8}},
+    {"interval K = 4 in 8 bits + cosine 12",
+     interval(4, shadow::Weighting::None, 0, true),
+     {Basis::Cosine, 12}},
 };
 
 constexpr int kRays = 500;

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 namespace pileus::cli {
 namespace {
 
-/// What the editor does between its start and its first picture, less the window: context, preset, draft, display transform.
+/// What the editor does between its start and its first picture, less the window: context, preset, draft,
+/// display transform.
 Result<double> firstLitPicture() {
   const Stopwatch clock;
   PILEUS_TRY(const auto context, gl::HeadlessContext::create());
@@ -45,7 +46,8 @@ Result<double> firstLitPicture() {
     if (image && image->picture && image->picture->samples >= 1) {
       PILEUS_TRY(const auto config, image::ColorConfig::load(""));
       view::Display display(renderer->shaders());
-      PILEUS_TRY([[maybe_unused]] const unsigned shown, display.draw(image->picture->color, image->picture->size, settings.size, *config, {}));
+      PILEUS_TRY([[maybe_unused]] const unsigned shown,
+                 display.draw(image->picture->color, image->picture->size, settings.size, *config, {}));
       PILEUS_TRY(const image::Image picture, view::readBack(*image->picture));
       float brightest = 0;
       for (const float v : picture.layers[0].pixels) brightest = std::max(brightest, v);

@@ -7,8 +7,10 @@
 namespace pileus::cli {
 
 Result<void> benchSilhouette(const BenchSetup& setup) {
-  std::printf("A slanted box edge over another box, maps of 256 x 256: largest |dT| in the lower box against the bilinear blend of exact transmittances (bound 0.05).\n\n"
-              "| representation | largest dT |\n|---|---|\n");
+  std::printf(
+      "A slanted box edge over another box, maps of 256 x 256: largest |dT| in the lower box against the "
+      "bilinear blend of exact transmittances (bound 0.05).\n\n"
+      "| representation | largest dT |\n|---|---|\n");
   shadow::ShadowSpec slabs = intervalSpec(4, 32, 256, true);
   slabs.extinction.basis = shadow::Basis::Slab;
   for (const shadow::ShadowSpec& spec : {intervalSpec(4, 16, 256, true), slabs}) {
@@ -25,14 +27,18 @@ Result<void> benchDeep(const BenchSetup& setup) {
   sun.towards = scene::sunDirection(30, 40);
   JobControl control;
   PILEUS_TRY(const view::ShadowSamples samples, view::sampleShadow(sun, {smoke}, {}, control));
-  PILEUS_TRY(const std::shared_ptr<const shadow::ShadowMap> raw, shadow::buildShadow(gpu, deepSpec(0, 256), sun, {smoke}));
-  std::printf("Extinction 0.5, maps of 256 x 256 against the one that keeps every step. Bounds: the error never above the map's; at 0.01 at least 10x smaller.\n\n"
-              "| bound | largest error of compression | vertices kept | of | smaller by | with headers |\n|---|---|---|---|---|---|\n");
+  PILEUS_TRY(const std::shared_ptr<const shadow::ShadowMap> raw,
+             shadow::buildShadow(gpu, deepSpec(0, 256), sun, {smoke}));
+  std::printf(
+      "Extinction 0.5, maps of 256 x 256 against the one that keeps every step. Bounds: the error never "
+      "above the map's; at 0.01 at least 10x smaller.\n\n"
+      "| bound | largest error of compression | vertices kept | of | smaller by | with headers "
+      "|\n|---|---|---|---|---|---|\n");
   for (const double bound : {0.003, 0.01, 0.03}) {
     PILEUS_TRY(const DeepMeasure m, measureDeep(gpu, deepSpec(bound, 256), *raw, samples.positions));
     const shadow::DeepStatistics& s = m.statistics;
-    std::printf("| %.3f | %.4f | %zu | %zu | %.1fx | %.1fx |\n", bound, m.largest, s.vertices, s.rawVertices, s.compression(),
-                double(s.rawVertices + s.texels) / double(s.vertices + s.texels));
+    std::printf("| %.3f | %.4f | %zu | %zu | %.1fx | %.1fx |\n", bound, m.largest, s.vertices, s.rawVertices,
+                s.compression(), double(s.rawVertices + s.texels) / double(s.vertices + s.texels));
   }
   return {};
 }

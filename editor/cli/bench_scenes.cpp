@@ -78,7 +78,8 @@ Result<view::RenderScene> cloudField(int count, std::uint64_t seed) {
     const dvec3 at = group + dvec3(220 * (u(rng) - 0.5), 90 * (u(rng) - 0.5), 220 * (u(rng) - 0.5));
     // Optical depths through a cloud from about 1 to 8.
     const double size = 80 + 100 * u(rng);
-    scene.volumes.push_back(place(grids[std::size_t(i % kBakes)], at, size, 360 * u(rng), (2 + 14 * u(rng)) / size));
+    scene.volumes.push_back(
+        place(grids[std::size_t(i % kBakes)], at, size, 360 * u(rng), (2 + 14 * u(rng)) / size));
   }
   scene.lights = {{sun(40, 28), nullptr}};
   scene.options.size = ivec2(480, 270);
@@ -94,7 +95,8 @@ Result<view::RenderScene> threeClouds() {
   const double sizes[] = {170, 210, 240};
   for (int i = 0; i < 3; ++i) {
     PILEUS_TRY(const volume::GridPtr grid, bakeOne(40 + i));
-    scene.volumes.push_back(place(grid, 650.0 * (i - 1) * along + dvec3(0, 20.0 * i, 0), sizes[i], 70.0 * i, 5 / sizes[i]));
+    scene.volumes.push_back(
+        place(grid, 650.0 * (i - 1) * along + dvec3(0, 20.0 * i, 0), sizes[i], 70.0 * i, 5 / sizes[i]));
   }
   scene.options.size = ivec2(320, 180);
   scene.options.samples = 4;

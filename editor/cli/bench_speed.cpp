@@ -27,12 +27,15 @@ struct Frame {
   image::Image picture;
 };
 
-Result<Frame> mapped(const shadow::Gpu& gpu, int coefficients, const volume::InstanceList& volumes, const scene::Light& sun, const view::RenderOptions& o) {
+Result<Frame> mapped(const shadow::Gpu& gpu, int coefficients, const volume::InstanceList& volumes,
+                     const scene::Light& sun, const view::RenderOptions& o) {
   Frame frame;
   const Stopwatch clock;
-  shadow::PseudometricPass metric({shadow::Metric::Interval, 4, 4, 512, shadow::Storage::Float}, sun, volumes, shadow::fitLight(sun, volumes, 512));
+  shadow::PseudometricPass metric({shadow::Metric::Interval, 4, 4, 512, shadow::Storage::Float}, sun, volumes,
+                                  shadow::fitLight(sun, volumes, 512));
   PILEUS_CHECK(finish(metric, gpu));
-  shadow::ExtinctionPass extinction({shadow::Basis::Cosine, coefficients, 512, shadow::Storage::Float}, metric.map());
+  shadow::ExtinctionPass extinction({shadow::Basis::Cosine, coefficients, 512, shadow::Storage::Float},
+                                    metric.map());
   PILEUS_CHECK(finish(extinction, gpu));
   frame.mapMs = clock.ms();
   view::VolumeRenderPass pass(o, volumes, {{sun, extinction.map()}});
@@ -42,7 +45,8 @@ Result<Frame> mapped(const shadow::Gpu& gpu, int coefficients, const volume::Ins
   return frame;
 }
 
-Result<Frame> marched(const shadow::Gpu& gpu, const volume::InstanceList& volumes, const scene::Light& sun, const view::RenderOptions& o) {
+Result<Frame> marched(const shadow::Gpu& gpu, const volume::InstanceList& volumes, const scene::Light& sun,
+                      const view::RenderOptions& o) {
   Frame frame;
   auto map = std::make_shared<shadow::ShadowMap>();
   map->kind = shadow::ShadowMap::Kind::RayMarch;
@@ -76,7 +80,8 @@ double relativeDifference(const image::Image& a, const image::Image& b) {
 Result<volume::Instance> benchSmoke(const BenchSetup& setup) {
   if (setup.data.empty()) return fail(Code::Input, "needs smoke1.vdb: set PILEUS_TEST_DATA or --data");
   JobControl control;
-  PILEUS_TRY(const volume::ImportedGrid imported, volume::importVdb(setup.data / "vdb" / "smoke1.vdb", "", control));
+  PILEUS_TRY(const volume::ImportedGrid imported,
+             volume::importVdb(setup.data / "vdb" / "smoke1.vdb", "", control));
   volume::Instance smoke;
   smoke.shape = volume::Shape::Grid;
   smoke.grid = imported.grid;
@@ -96,8 +101,12 @@ Result<void> benchSpeed(const BenchSetup& setup) {
   o.samples = 1;
   o.camera = {{10, 42, 46}, {-6, 38, 0}, {0, 1, 0}, 40};  // close enough for the plume to fill the picture
   const shadow::Gpu gpu = setup.renderer->gpu();
-  std::printf("Interval metric, K = 4, cosine basis; map 512 x 512; march of half a voxel. Three runs each, the two in turn.\n\n");
-  std::printf("| coefficients | maps ms | view ms | march ms | speed-up (bound 8x) | radiance difference / mean (bound 3 %%) |\n|---|---|---|---|---|---|\n");
+  std::printf(
+      "Interval metric, K = 4, cosine basis; map 512 x 512; march of half a voxel. Three runs each, the two "
+      "in turn.\n\n");
+  std::printf(
+      "| coefficients | maps ms | view ms | march ms | speed-up (bound 8x) | radiance difference / mean "
+      "(bound 3 %%) |\n|---|---|---|---|---|---|\n");
   PILEUS_TRY(Frame b, marched(gpu, volumes, sun, o));
   for (const int coefficients : {8, 12, 16}) {
     PILEUS_TRY(Frame a, mapped(gpu, coefficients, volumes, sun, o));  // once to compile shaders
@@ -109,7 +118,8 @@ Result<void> benchSpeed(const BenchSetup& setup) {
     }
     std::sort(runs.begin(), runs.end());
     const auto& median = runs[1];
-    std::printf("| %d | %.0f | %.0f | %.0f | %.1fx | %.2f %% |\n", coefficients, median[1], median[2], median[3], median[0], 100 * relativeDifference(a.picture, b.picture));
+    std::printf("| %d | %.0f | %.0f | %.0f | %.1fx | %.2f %% |\n", coefficients, median[1], median[2],
+                median[3], median[0], 100 * relativeDifference(a.picture, b.picture));
     std::fflush(stdout);
   }
   return {};

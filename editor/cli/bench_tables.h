@@ -9,7 +9,7 @@ namespace pileus::cli {
 
 struct BenchSetup {
   view::Renderer* renderer = nullptr;
-  std::filesystem::path data;   ///< test volumes; empty: tables that need them return Error (Input)
+  std::filesystem::path data;  ///< test volumes; empty: tables that need them return Error (Input)
 };
 
 /// Cold (empty caches) and warm start to the first lit picture, each in a process of its own.

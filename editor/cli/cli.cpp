@@ -22,7 +22,8 @@ constexpr int kBadArguments = static_cast<int>(Code::Arguments);
 /// "1280x720" -> size; an empty text is accepted as absent.
 std::string parseSize(const std::string& text, std::optional<ivec2>& out) {
   int w = 0, h = 0, used = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &used) != 2 || used != int(text.size())) return "--size: '" + text + "' is not WIDTHxHEIGHT, such as 1280x720";
+  if (std::sscanf(text.c_str(), "%dx%d%n", &w, &h, &used) != 2 || used != int(text.size()))
+    return "--size: '" + text + "' is not WIDTHxHEIGHT, such as 1280x720";
   if (w < 1 || h < 1 || w > 16384 || h > 16384) return "--size: " + text + " is outside 1x1..16384x16384";
   out = ivec2(w, h);
   return {};
@@ -52,9 +53,11 @@ int usageError(const std::string& message) {
 }  // namespace
 
 int run(int argc, char** argv, const EditorSide& editor) {
-  CLI::App app("Pileus: a node-graph volumetric lighting editor.\n`pileus [FILE]` opens the editor.", "pileus");
-  app.footer("Exit codes: 0 done, 1 internal error, 2 bad arguments, 3 bad input or unwritable output,\n"
-             "4 no usable GPU or out of GPU memory, 5 cancelled, 6 a given error bound was exceeded.");
+  CLI::App app("Pileus: a node-graph volumetric lighting editor.\n`pileus [FILE]` opens the editor.",
+               "pileus");
+  app.footer(
+      "Exit codes: 0 done, 1 internal error, 2 bad arguments, 3 bad input or unwritable output,\n"
+      "4 no usable GPU or out of GPU memory, 5 cancelled, 6 a given error bound was exceeded.");
   app.set_version_flag("--version", "pileus " PILEUS_VERSION);
   bool verbose = false;
   app.add_flag("-v,--verbose", verbose, "Print what is being done.");
@@ -62,14 +65,20 @@ int run(int argc, char** argv, const EditorSide& editor) {
 
   RenderOptions render;
   std::string size, frames;
-  CLI::App* renderCommand = app.add_subcommand("render", "Render a graph to OpenEXR files, without a window.");
+  CLI::App* renderCommand =
+      app.add_subcommand("render", "Render a graph to OpenEXR files, without a window.");
   renderCommand->add_option("file", render.file, "Graph file (.json).")->required();
   renderCommand->add_option("-o,--out", render.out, "Target; '#', '####', '%04d' or '$F' is the frame.");
   renderCommand->add_option("--size", size, "Picture size, WIDTHxHEIGHT; the file's by default.");
   renderCommand->add_option("--frames", frames, "Frames A, A-B or A-BxSTEP; the file's by default.");
-  renderCommand->add_option("--set", render.set, "Override a parameter: \"Node.param=value\". May be repeated.")->allow_extra_args(false);
-  renderCommand->add_option("--output", render.output, "Name of the output node to render, where there are several.");
-  renderCommand->add_option("--gpu-memory", render.gpuMemoryMiB, "MiB of GPU memory for bricks and shadow maps.")->check(CLI::Range(1, 1 << 20));
+  renderCommand
+      ->add_option("--set", render.set, "Override a parameter: \"Node.param=value\". May be repeated.")
+      ->allow_extra_args(false);
+  renderCommand->add_option("--output", render.output,
+                            "Name of the output node to render, where there are several.");
+  renderCommand
+      ->add_option("--gpu-memory", render.gpuMemoryMiB, "MiB of GPU memory for bricks and shadow maps.")
+      ->check(CLI::Range(1, 1 << 20));
   renderCommand->add_flag("--overwrite", render.overwrite, "Replace existing files.");
   renderCommand->add_flag("--png", render.png, "Also write a PNG through the view's display transform.");
   renderCommand->add_option("--stats", render.stats, "Write times and memory per node to this JSON file.");
@@ -97,31 +106,62 @@ int run(int argc, char** argv, const EditorSide& editor) {
   CLI::App* compareCommand = app.add_subcommand("compare", "Measure the difference of two EXR files.");
   compareCommand->add_option("a", compare.a, "Picture.")->required();
   compareCommand->add_option("b", compare.b, "Reference.")->required();
-  CLI::Option* bound = compareCommand->add_option("--max-relmse", maxRelMse, "Exit with 6 where relMSE is larger.")->check(CLI::NonNegativeNumber);
+  CLI::Option* bound =
+      compareCommand->add_option("--max-relmse", maxRelMse, "Exit with 6 where relMSE is larger.")
+          ->check(CLI::NonNegativeNumber);
 
   ShootoutArguments shootout;
   std::string shootoutSize;
-  CLI::App* shootoutCommand = app.add_subcommand("shootout", "Compare every shadow representation on the lights of a graph.");
+  CLI::App* shootoutCommand =
+      app.add_subcommand("shootout", "Compare every shadow representation on the lights of a graph.");
   shootoutCommand->add_option("file", shootout.file, "Graph file (.json).")->required();
-  shootoutCommand->add_option("-o,--out", shootout.out, "Folder for shootout.csv and contact-sheet.png; FILE-shootout by default.");
-  shootoutCommand->add_option("--size", shootoutSize, "Size of the pictures, WIDTHxHEIGHT; 320x180 by default.");
-  shootoutCommand->add_option("--samples", shootout.samples, "Samples a pixel.")->check(CLI::Range(1, 4096))->capture_default_str();
-  shootoutCommand->add_option("--resolution", shootout.resolution, "Texels along the edge of a map.")->check(CLI::Range(64, 4096))->capture_default_str();
-  shootoutCommand->add_option("--points", shootout.points, "Points a light is judged at.")->check(CLI::Range(1000, 10000000))->capture_default_str();
-  shootoutCommand->add_option("--render", shootout.render, "Name of the render node, where there are several.");
+  shootoutCommand->add_option("-o,--out", shootout.out,
+                              "Folder for shootout.csv and contact-sheet.png; FILE-shootout by default.");
+  shootoutCommand->add_option("--size", shootoutSize,
+                              "Size of the pictures, WIDTHxHEIGHT; 320x180 by default.");
+  shootoutCommand->add_option("--samples", shootout.samples, "Samples a pixel.")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  shootoutCommand->add_option("--resolution", shootout.resolution, "Texels along the edge of a map.")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
+  shootoutCommand->add_option("--points", shootout.points, "Points a light is judged at.")
+      ->check(CLI::Range(1000, 10000000))
+      ->capture_default_str();
+  shootoutCommand->add_option("--render", shootout.render,
+                              "Name of the render node, where there are several.");
   shootoutCommand->add_flag("--overwrite", shootout.overwrite, "Write into a folder that is not empty.");
 
   TuneArguments tune;
-  CLI::App* tuneCommand = app.add_subcommand("tune", "Find the cheapest shadow parameters that keep a bound, and write them.");
+  CLI::App* tuneCommand =
+      app.add_subcommand("tune", "Find the cheapest shadow parameters that keep a bound, and write them.");
   tuneCommand->add_option("file", tune.file, "Graph file (.json).")->required();
   tuneCommand->add_option("-o,--out", tune.out, "Graph file to write.")->required();
   CLI::Option_group* goals = tuneCommand->add_option_group("bound", "Exactly one of");
-  goals->add_option("--p95", "95th percentile of |dT| on the worst light: least memory is sought.")->check(CLI::PositiveNumber)->each([&](const std::string& v) { tune.goal = {view::TuneBound::P95, std::stod(v)}; });
-  goals->add_option("--ms", "Milliseconds to build all maps and look them up a million times: least error is sought.")->check(CLI::PositiveNumber)->each([&](const std::string& v) { tune.goal = {view::TuneBound::Milliseconds, std::stod(v)}; });
-  goals->add_option("--mib", "MiB of all maps: least error is sought.")->check(CLI::PositiveNumber)->each([&](const std::string& v) { tune.goal = {view::TuneBound::Mebibytes, std::stod(v)}; });
+  goals->add_option("--p95", "95th percentile of |dT| on the worst light: least memory is sought.")
+      ->check(CLI::PositiveNumber)
+      ->each([&](const std::string& v) {
+        tune.goal = {view::TuneBound::P95, std::stod(v)};
+      });
+  goals
+      ->add_option("--ms",
+                   "Milliseconds to build all maps and look them up a million times: least error is sought.")
+      ->check(CLI::PositiveNumber)
+      ->each([&](const std::string& v) {
+        tune.goal = {view::TuneBound::Milliseconds, std::stod(v)};
+      });
+  goals->add_option("--mib", "MiB of all maps: least error is sought.")
+      ->check(CLI::PositiveNumber)
+      ->each([&](const std::string& v) {
+        tune.goal = {view::TuneBound::Mebibytes, std::stod(v)};
+      });
   goals->require_option(1);
-  tuneCommand->add_option("--points", tune.points, "Points a light is judged at.")->check(CLI::Range(1000, 10000000))->capture_default_str();
-  tuneCommand->add_option("--max-resolution", tune.maxResolution, "Most texels along the edge of a map.")->check(CLI::Range(64, 4096))->capture_default_str();
+  tuneCommand->add_option("--points", tune.points, "Points a light is judged at.")
+      ->check(CLI::Range(1000, 10000000))
+      ->capture_default_str();
+  tuneCommand->add_option("--max-resolution", tune.maxResolution, "Most texels along the edge of a map.")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
   tuneCommand->add_option("--render", tune.render, "Name of the render node, where there are several.");
   tuneCommand->add_flag("--overwrite", tune.overwrite, "Replace an existing file.");
 
@@ -153,7 +193,8 @@ int run(int argc, char** argv, const EditorSide& editor) {
   }
   if (*checkCommand) return checkMain(checkFiles);
   if (*infoCommand) return infoMain(info);
-  if (*nodesCommand) return nodesMain(markdown ? NodesFormat::Markdown : json ? NodesFormat::Json : NodesFormat::Text);
+  if (*nodesCommand)
+    return nodesMain(markdown ? NodesFormat::Markdown : json ? NodesFormat::Json : NodesFormat::Text);
   if (*keysCommand) {
     const std::string text = editor.keys(keysMarkdown);
     std::fwrite(text.data(), 1, text.size(), stdout);

@@ -28,14 +28,18 @@ DisplayChoice displayOf(const nodes::Graph& graph, const std::string& preferred)
   }
   if (!shown) return {};
   const nodes::NodeType& type = *nodes::findNodeType("output.view");
-  return {std::get<std::string>(nodes::paramValue(*shown, *type.param("display"))), std::get<std::string>(nodes::paramValue(*shown, *type.param("view"))),
-          std::get<double>(nodes::paramValue(*shown, *type.param("exposure"))), std::get<std::string>(nodes::paramValue(*shown, *type.param("look"))),
+  return {std::get<std::string>(nodes::paramValue(*shown, *type.param("display"))),
+          std::get<std::string>(nodes::paramValue(*shown, *type.param("view"))),
+          std::get<double>(nodes::paramValue(*shown, *type.param("exposure"))),
+          std::get<std::string>(nodes::paramValue(*shown, *type.param("look"))),
           std::get<double>(nodes::paramValue(*shown, *type.param("gamma")))};
 }
 
-Result<std::shared_ptr<const image::ColorConfig>> colorConfigOf(const nodes::Graph& graph, const fs::path& folder) {
+Result<std::shared_ptr<const image::ColorConfig>> colorConfigOf(const nodes::Graph& graph,
+                                                                const fs::path& folder) {
   std::string ocio = graph.settings.ocio;
-  if (!ocio.empty() && fs::path(ocio).is_relative() && ocio.find("://") == ocio.npos) ocio = (folder / ocio).string();
+  if (!ocio.empty() && fs::path(ocio).is_relative() && ocio.find("://") == ocio.npos)
+    ocio = (folder / ocio).string();
   return image::ColorConfig::load(ocio);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What the subcommands that work on graph files share: reading one without errors, and how its pictures are displayed.
+// What the subcommands that work on graph files share: reading one without errors, and how its pictures are
+// displayed.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace pileus::cli {
 
-/// Faults are printed; any error among them ends it: "FILE: not `what` because of the errors above". Errors: Input.
+/// Faults are printed; any error among them ends it: "FILE: not `what` because of the errors above". Errors:
+/// Input.
 Result<nodes::Graph> loadFaultless(const std::filesystem::path& file, const char* what);
 
 /// Of a view node; the configuration's defaults without one.
@@ -23,6 +25,7 @@ struct DisplayChoice {
 DisplayChoice displayOf(const nodes::Graph& graph, const std::string& preferred = {});
 
 /// The graph's colour configuration; relative paths start at `folder`.
-Result<std::shared_ptr<const image::ColorConfig>> colorConfigOf(const nodes::Graph& graph, const std::filesystem::path& folder);
+Result<std::shared_ptr<const image::ColorConfig>> colorConfigOf(const nodes::Graph& graph,
+                                                                const std::filesystem::path& folder);
 
 }  // namespace pileus::cli

@@ -29,7 +29,8 @@ SilhouetteScene silhouetteScene() {
 
 Result<double> silhouetteError(const shadow::Gpu& gpu, const shadow::ShadowSpec& spec) {
   const SilhouetteScene scene = silhouetteScene();
-  PILEUS_TRY(const std::shared_ptr<const shadow::ShadowMap> map, shadow::buildShadow(gpu, spec, scene.light, scene.volumes));
+  PILEUS_TRY(const std::shared_ptr<const shadow::ShadowMap> map,
+             shadow::buildShadow(gpu, spec, scene.light, scene.volumes));
   const int n = shadow::resolutionOf(spec);
   std::vector<vec4> at;
   std::vector<double> expected;
@@ -44,7 +45,8 @@ Result<double> silhouetteError(const shadow::Gpu& gpu, const shadow::ShadowSpec&
       const dvec2 o(tap & 1, tap >> 1);
       const shadow::MapSegment ray = shadow::mapSegment(map->frustum, 0, (base + o + 0.5) / double(n), n);
       const dvec3 end = glm::mix(ray.from, ray.to, q.z);
-      if (std::max(std::abs(end.x), std::abs(end.z)) >= 1) continue;  // a ray that meets no medium here says nothing
+      if (std::max(std::abs(end.x), std::abs(end.z)) >= 1)
+        continue;  // a ray that meets no medium here says nothing
       const double weight = (o.x > 0 ? w.x : 1 - w.x) * (o.y > 0 ? w.y : 1 - w.y);
       blend += weight * std::exp(-shadow::opticalDepth(scene.volumes, ray.from, end));
       weights += weight;
@@ -57,7 +59,8 @@ Result<double> silhouetteError(const shadow::Gpu& gpu, const shadow::ShadowSpec&
   return view::shadowError(mapped, expected).maximum;
 }
 
-shadow::ShadowSpec intervalSpec(int intervals, int coefficients, int resolution, bool extras, shadow::Storage storage) {
+shadow::ShadowSpec intervalSpec(int intervals, int coefficients, int resolution, bool extras,
+                                shadow::Storage storage) {
   shadow::ShadowSpec s;
   s.metric = {shadow::Metric::Interval, intervals, 4, resolution, storage};
   if (extras) s.metric.weighting = shadow::Weighting::Root, s.metric.horizon = 5.5;
@@ -74,7 +77,8 @@ shadow::ShadowSpec deepSpec(double bound, int resolution) {
   return s;
 }
 
-Result<DeepMeasure> measureDeep(const shadow::Gpu& gpu, const shadow::ShadowSpec& spec, const shadow::ShadowMap& uncompressed, std::span<const vec4> at) {
+Result<DeepMeasure> measureDeep(const shadow::Gpu& gpu, const shadow::ShadowSpec& spec,
+                                const shadow::ShadowMap& uncompressed, std::span<const vec4> at) {
   shadow::ShadowPass pass(spec, uncompressed.light, uncompressed.volumes);
   for (double done = 0; done < 1;) {
     PILEUS_TRY(done, pass.step(gpu, 1e12));

@@ -13,12 +13,13 @@ struct SilhouetteScene {
   volume::InstanceList volumes;
 };
 SilhouetteScene silhouetteScene();
-/// Largest |dT| of a representation there, at 4000 points in the lower box. An edge is a step between neighbouring texels, so the truth
-/// is the bilinear blend of the exact transmittances of the four texels.
+/// Largest |dT| of a representation there, at 4000 points in the lower box. An edge is a step between
+/// neighbouring texels, so the truth is the bilinear blend of the exact transmittances of the four texels.
 Result<double> silhouetteError(const shadow::Gpu& gpu, const shadow::ShadowSpec& spec);
 
 /// Intervals and cosines (or slabs), float, without weights and horizon unless `extras`.
-shadow::ShadowSpec intervalSpec(int intervals, int coefficients, int resolution, bool extras, shadow::Storage storage = shadow::Storage::Float);
+shadow::ShadowSpec intervalSpec(int intervals, int coefficients, int resolution, bool extras,
+                                shadow::Storage storage = shadow::Storage::Float);
 /// A node budget that is never reached; bound 0: every step is kept.
 shadow::ShadowSpec deepSpec(double bound, int resolution);
 
@@ -27,6 +28,7 @@ struct DeepMeasure {
   double largest = 0;  ///< |T - T of the uncompressed map|
 };
 /// A deep map, compressed as the spec says, against `uncompressed` at given world points.
-Result<DeepMeasure> measureDeep(const shadow::Gpu& gpu, const shadow::ShadowSpec& spec, const shadow::ShadowMap& uncompressed, std::span<const vec4> at);
+Result<DeepMeasure> measureDeep(const shadow::Gpu& gpu, const shadow::ShadowSpec& spec,
+                                const shadow::ShadowMap& uncompressed, std::span<const vec4> at);
 
 }  // namespace pileus::cli

@@ -43,7 +43,8 @@ Result<Graph> prepared(const RenderOptions& o) {
   PILEUS_TRY(Graph graph, loadFaultless(o.file, "rendered"));
   for (const std::string& text : o.set) {
     const std::size_t equals = text.find('='), dot = text.rfind('.', equals);
-    if (equals == text.npos || dot == text.npos) return fail(Code::Arguments, "--set: '{}' is not Node.param=value", text);
+    if (equals == text.npos || dot == text.npos)
+      return fail(Code::Arguments, "--set: '{}' is not Node.param=value", text);
     const std::string node = text.substr(0, dot), param = text.substr(dot + 1, equals - dot - 1);
     const nodes::Node* found = nodes::findNode(graph, node);
     if (!found) return fail(Code::Arguments, "--set: {} has no node named '{}'", o.file.string(), node);
@@ -65,28 +66,34 @@ Result<std::string> outputNode(const Graph& graph, const RenderOptions& o) {
   const std::vector<std::string> all = nodes::outputNodes(graph);
   if (!o.output.empty()) {
     if (std::find(all.begin(), all.end(), o.output) != all.end()) return o.output;
-    return fail(Code::Arguments, "--output: {} has no output node named '{}'{}", o.file.string(), o.output, all.empty() ? "" : "; it has " + fmt::format("{}", fmt::join(all, ", ")));
+    return fail(Code::Arguments, "--output: {} has no output node named '{}'{}", o.file.string(), o.output,
+                all.empty() ? "" : "; it has " + fmt::format("{}", fmt::join(all, ", ")));
   }
-  if (all.empty()) return fail(Code::Input, "{}: has no output node (output.exr or output.view)", o.file.string());
+  if (all.empty())
+    return fail(Code::Input, "{}: has no output node (output.exr or output.view)", o.file.string());
   std::vector<std::string> files;
   for (const std::string& n : all)
     if (nodes::findNode(graph, n)->type == "output.exr") files.push_back(n);
   const std::vector<std::string>& candidates = files.empty() ? all : files;
   if (candidates.size() == 1) return candidates.front();
-  return fail(Code::Arguments, "{}: has several output nodes ({}); choose one with --output", o.file.string(), fmt::join(candidates, ", "));
+  return fail(Code::Arguments, "{}: has several output nodes ({}); choose one with --output", o.file.string(),
+              fmt::join(candidates, ", "));
 }
 
 class Progress {
  public:
-  Progress(int frame, int done, int frames) : frame_(frame), done_(done), frames_(frames), terminal_(::isatty(2) != 0) {}
+  Progress(int frame, int done, int frames)
+      : frame_(frame), done_(done), frames_(frames), terminal_(::isatty(2) != 0) {}
   void show(double fraction) {
     if (!terminal_ || clock_.ms() - last_ < 200) return;
     last_ = clock_.ms();
     const double left = fraction > 0.02 ? clock_.ms() * (1 - fraction) / fraction * 1e-3 : 0;
-    std::fprintf(stderr, "\rframe %d (%d of %d)  %3.0f %%  %s\033[K", frame_, done_ + 1, frames_, 100 * fraction, left > 0 ? fmt::format("{:.0f} s left", left).c_str() : "");
+    std::fprintf(stderr, "\rframe %d (%d of %d)  %3.0f %%  %s\033[K", frame_, done_ + 1, frames_,
+                 100 * fraction, left > 0 ? fmt::format("{:.0f} s left", left).c_str() : "");
   }
   void finish(const std::string& path) {
-    std::fprintf(stderr, "%sframe %d: %s (%.1f s)\n", terminal_ ? "\r\033[K" : "", frame_, path.c_str(), clock_.ms() * 1e-3);
+    std::fprintf(stderr, "%sframe %d: %s (%.1f s)\n", terminal_ ? "\r\033[K" : "", frame_, path.c_str(),
+                 clock_.ms() * 1e-3);
   }
 
  private:
@@ -97,8 +104,8 @@ class Progress {
 };
 
 /// Evaluates until `target` is complete. Warnings of nodes are printed once each.
-Result<void> evaluateFrame(nodes::Evaluator& evaluator, const Graph& graph, const std::string& target, nodes::EvalSettings settings, Progress& progress,
-                           std::set<std::string>& printed) {
+Result<void> evaluateFrame(nodes::Evaluator& evaluator, const Graph& graph, const std::string& target,
+                           nodes::EvalSettings settings, Progress& progress, std::set<std::string>& printed) {
   settings.budgetMs = 250;
   nodes::EvalReport r;
   do {
@@ -111,7 +118,8 @@ Result<void> evaluateFrame(nodes::Evaluator& evaluator, const Graph& graph, cons
   for (const auto& [name, node] : graph.nodes) {
     const nodes::NodeStatus& s = evaluator.status(name);
     for (const std::string& w : s.warnings)
-      if (printed.insert(name + w).second) std::fprintf(stderr, "pileus: warning: %s: %s\n", name.c_str(), w.c_str());
+      if (printed.insert(name + w).second)
+        std::fprintf(stderr, "pileus: warning: %s: %s\n", name.c_str(), w.c_str());
     if (s.state != nodes::NodeState::Failed) continue;
     if (error) std::fprintf(stderr, "pileus: %s\n", error->message.c_str());
     error = s.error;
@@ -121,7 +129,8 @@ Result<void> evaluateFrame(nodes::Evaluator& evaluator, const Graph& graph, cons
 }
 
 /// Display-referred PNG beside the EXR, through the view node's (or the default) display transform.
-Result<void> writePreview(const fs::path& path, const image::Image& picture, const Graph& graph, const std::string& target, const fs::path& folder) {
+Result<void> writePreview(const fs::path& path, const image::Image& picture, const Graph& graph,
+                          const std::string& target, const fs::path& folder) {
   PILEUS_TRY(const auto config, colorConfigOf(graph, folder));
   const DisplayChoice choice = displayOf(graph, target);
   std::vector<float> rgba = picture.layers.front().pixels;
@@ -139,8 +148,12 @@ image::ExrOptions exrOptions(const Graph& graph, const std::string& target) {
   const nodes::Node& node = *nodes::findNode(graph, target);
   if (node.type != "output.exr") return options;
   const nodes::NodeType& type = *nodes::findNodeType(node.type);
-  options.type = enumFromId<image::PixelType>(std::get<std::string>(nodes::paramValue(node, *type.param("type")))).value_or(options.type);
-  options.compression = enumFromId<image::Compression>(std::get<std::string>(nodes::paramValue(node, *type.param("compression")))).value_or(options.compression);
+  options.type =
+      enumFromId<image::PixelType>(std::get<std::string>(nodes::paramValue(node, *type.param("type"))))
+          .value_or(options.type);
+  options.compression = enumFromId<image::Compression>(
+                            std::get<std::string>(nodes::paramValue(node, *type.param("compression"))))
+                            .value_or(options.compression);
   return options;
 }
 
@@ -148,7 +161,9 @@ nlohmann::json statistics(const nodes::Evaluator& evaluator, const Graph& graph,
   nlohmann::json out{{"frame", frame}, {"seconds", seconds}, {"nodes", nlohmann::json::object()}};
   for (const auto& [name, node] : graph.nodes) {
     const nodes::NodeStatus& s = evaluator.status(name);
-    out["nodes"][name] = {{"type", node->type}, {"cpuMs", s.cpuMs}, {"gpuMs", s.gpuMs}, {"bytes", s.bytes}, {"evaluations", s.evaluations}, {"notes", s.notes}, {"warnings", s.warnings}};
+    out["nodes"][name] = {
+        {"type", node->type},           {"cpuMs", s.cpuMs}, {"gpuMs", s.gpuMs},      {"bytes", s.bytes},
+        {"evaluations", s.evaluations}, {"notes", s.notes}, {"warnings", s.warnings}};
   }
   return out;
 }
@@ -157,9 +172,14 @@ nlohmann::json statistics(const nodes::Evaluator& evaluator, const Graph& graph,
 Result<void> checkTarget(const fs::path& path) {
   std::error_code ec;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ec)) return fail(Code::Input, "{}: cannot be written (folder {} does not exist)", path.string(), folder.string());
-  if (fs::is_directory(path, ec)) return fail(Code::Input, "{}: cannot be written (is a folder)", path.string());
-  if (::access(folder.c_str(), W_OK) != 0) return fail(Code::Input, "{}: cannot be written (folder {} is not writable)", path.string(), folder.string());
+  if (!fs::is_directory(folder, ec))
+    return fail(Code::Input, "{}: cannot be written (folder {} does not exist)", path.string(),
+                folder.string());
+  if (fs::is_directory(path, ec))
+    return fail(Code::Input, "{}: cannot be written (is a folder)", path.string());
+  if (::access(folder.c_str(), W_OK) != 0)
+    return fail(Code::Input, "{}: cannot be written (folder {} is not writable)", path.string(),
+                folder.string());
   return {};
 }
 
@@ -169,7 +189,8 @@ Result<void> renderAll(const RenderOptions& o) {
   const fs::path folder = fs::absolute(o.file).parent_path();
   std::string out = o.out.string();
   if (out.empty() && nodes::findNode(graph, target)->type == "output.exr") {
-    out = std::get<std::string>(nodes::paramValue(*nodes::findNode(graph, target), *nodes::findNodeType("output.exr")->param("file")));
+    out = std::get<std::string>(nodes::paramValue(*nodes::findNode(graph, target),
+                                                  *nodes::findNodeType("output.exr")->param("file")));
     if (!out.empty() && fs::path(out).is_relative()) out = (folder / out).string();
   }
   if (out.empty()) return fail(Code::Arguments, "no target: give -o OUT.exr");
@@ -177,7 +198,9 @@ Result<void> renderAll(const RenderOptions& o) {
   const int count = (frames.y - frames.x) / frames.z + 1;
   bool hasToken = false;
   PILEUS_CHECK(checkTarget(framePath(out, frames.x, &hasToken)));
-  if (count > 1 && !hasToken) return fail(Code::Arguments, "{} frames need a frame token in the target: such as {}.####.exr", count, fs::path(out).replace_extension().string());
+  if (count > 1 && !hasToken)
+    return fail(Code::Arguments, "{} frames need a frame token in the target: such as {}.####.exr", count,
+                fs::path(out).replace_extension().string());
   std::error_code ec;
   if (count == 1 && !o.overwrite && fs::exists(framePath(out, frames.x), ec))
     return fail(Code::Input, "{}: exists; add --overwrite to replace it", framePath(out, frames.x));
@@ -192,7 +215,8 @@ Result<void> renderAll(const RenderOptions& o) {
   for (int frame = frames.x, done = 0; frame <= frames.y; frame += frames.z, ++done) {
     const fs::path path = framePath(out, frame);
     if (!o.overwrite && count > 1 && fs::exists(path, ec) && image::readExr(path)) {
-      std::fprintf(stderr, "frame %d: %s is there already, skipped (--overwrite renders it again)\n", frame, path.c_str());
+      std::fprintf(stderr, "frame %d: %s is there already, skipped (--overwrite renders it again)\n", frame,
+                   path.c_str());
       continue;
     }
     nodes::EvalSettings settings;
@@ -209,7 +233,8 @@ Result<void> renderAll(const RenderOptions& o) {
     PILEUS_TRY(image::Image picture, view::readBack(*image->picture));
     picture.metadata.merge(nodes::stillMetadata(graph, path, folder));
     PILEUS_CHECK(image::writeExr(path, picture, exrOptions(graph, target)));
-    if (o.png) PILEUS_CHECK(writePreview(fs::path(path).replace_extension(".png"), picture, graph, target, folder));
+    if (o.png)
+      PILEUS_CHECK(writePreview(fs::path(path).replace_extension(".png"), picture, graph, target, folder));
     progress.finish(path.string());
     stats["frames"].push_back(statistics(evaluator, graph, frame, clock.ms() * 1e-3));
   }
@@ -223,16 +248,20 @@ std::string framePath(const std::string& out, int frame, bool* hasToken) {
   static const std::regex token(R"(#+|%0?(\d*)d|\$F(\d*))");
   // Only the file name: a folder called "shot#2" is not a token.
   const std::size_t slash = out.rfind('/');
-  const std::string folder = slash == out.npos ? "" : out.substr(0, slash + 1), name = out.substr(folder.size());
+  const std::string folder = slash == out.npos ? "" : out.substr(0, slash + 1),
+                    name = out.substr(folder.size());
   std::smatch m;
   const bool found = std::regex_search(name, m, token);
   if (hasToken) *hasToken = found;
   if (!found) return out;
   const std::string text = m.str();
   int width = 1;
-  if (text[0] == '#') width = int(text.size());
-  else if (m[1].matched && m[1].length() > 0) width = std::stoi(m[1]);
-  else if (m[2].matched && m[2].length() > 0) width = std::stoi(m[2]);
+  if (text[0] == '#')
+    width = int(text.size());
+  else if (m[1].matched && m[1].length() > 0)
+    width = std::stoi(m[1]);
+  else if (m[2].matched && m[2].length() > 0)
+    width = std::stoi(m[2]);
   return folder + m.prefix().str() + fmt::format("{:0{}d}", frame, std::min(width, 12)) + m.suffix().str();
 }
 

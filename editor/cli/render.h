@@ -11,12 +11,12 @@ namespace pileus::cli {
 
 struct RenderOptions {
   std::filesystem::path file;
-  std::filesystem::path out;            ///< empty: the output.exr node's own file
+  std::filesystem::path out;  ///< empty: the output.exr node's own file
   std::optional<ivec2> size;
-  ivec3 frames{0, 0, 1};                ///< first, last, step; 0 0 1 = the file's range
+  ivec3 frames{0, 0, 1};  ///< first, last, step; 0 0 1 = the file's range
   bool framesGiven = false;
-  std::vector<std::string> set;         ///< "Node.param=value"
-  std::string output;                   ///< node name; empty: the only one
+  std::vector<std::string> set;  ///< "Node.param=value"
+  std::string output;            ///< node name; empty: the only one
   int gpuMemoryMiB = 0;
   bool overwrite = false, png = false;
   std::filesystem::path stats;
@@ -24,7 +24,8 @@ struct RenderOptions {
 
 int renderMain(const RenderOptions& options);
 
-/// OUT with its frame token ('####' run, '%04d', '$F', '$F4') replaced; `hasToken` tells whether there was one.
+/// OUT with its frame token ('####' run, '%04d', '$F', '$F4') replaced; `hasToken` tells whether there was
+/// one.
 std::string framePath(const std::string& out, int frame, bool* hasToken = nullptr);
 
 }  // namespace pileus::cli

@@ -19,7 +19,9 @@ volatile sig_atomic_t stopped = 0;
 void onSignal(int) { stopped = 1; }
 
 bool hasLights(const nodes::Graph& graph, const std::string& node) {
-  return std::any_of(graph.links.begin(), graph.links.end(), [&](const nodes::Link& l) { return !l.muted && l.toNode == node && l.toSocket == "lights"; });
+  return std::any_of(graph.links.begin(), graph.links.end(), [&](const nodes::Link& l) {
+    return !l.muted && l.toNode == node && l.toSocket == "lights";
+  });
 }
 
 Result<std::string> chooseRender(const nodes::Graph& graph, const fs::path& file, const std::string& wanted) {
@@ -76,16 +78,20 @@ Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode)
   }
   const nodes::SocketValue* value = evaluator.output(out.renderNode, "image");
   const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
-  if (!image || !image->picture || !image->picture->scene) return fail(Code::Input, "{}: {} gives no picture", file.string(), out.renderNode);
+  if (!image || !image->picture || !image->picture->scene)
+    return fail(Code::Input, "{}: {} gives no picture", file.string(), out.renderNode);
   out.scene = *image->picture->scene;
   out.scene.options.size = out.graph.settings.size;
   // What a draft has changed.
   const nodes::Node& node = *nodes::findNode(out.graph, out.renderNode);
   const nodes::NodeType& type = *nodes::findNodeType(node.type);
   out.scene.options.samples = std::get<int>(nodes::paramValue(node, *type.param("samples"), settings.frame));
-  out.scene.options.stepScale = std::get<double>(nodes::paramValue(node, *type.param("step_scale"), settings.frame));
-  if (out.scene.lights.empty()) return fail(Code::Input, "{}: no light reaches {}", file.string(), out.renderNode);
-  if (out.scene.volumes.empty()) return fail(Code::Input, "{}: no volume reaches {}", file.string(), out.renderNode);
+  out.scene.options.stepScale =
+      std::get<double>(nodes::paramValue(node, *type.param("step_scale"), settings.frame));
+  if (out.scene.lights.empty())
+    return fail(Code::Input, "{}: no light reaches {}", file.string(), out.renderNode);
+  if (out.scene.volumes.empty())
+    return fail(Code::Input, "{}: no volume reaches {}", file.string(), out.renderNode);
   return out;
 }
 
@@ -96,8 +102,10 @@ bool MeasureProgress::isTerminal() { return ::isatty(2) != 0; }
 void MeasureProgress::show(double fraction, const std::string& what) {
   if (!terminal_ && what == last_) return;
   last_ = what;
-  if (terminal_) fmt::print(stderr, "\r{:3.0f} %  {}\033[K", 100 * fraction, what);
-  else fmt::print(stderr, "{}\n", what);
+  if (terminal_)
+    fmt::print(stderr, "\r{:3.0f} %  {}\033[K", 100 * fraction, what);
+  else
+    fmt::print(stderr, "{}\n", what);
   std::fflush(stderr);
 }
 

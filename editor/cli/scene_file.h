@@ -19,9 +19,9 @@ struct SceneFile {
   view::RenderScene scene;  ///< at the file's first frame; its picture has the size and samples of the file
 };
 
-/// `renderNode` "": the one that feeds an output, else the first by name that has lights. Faults and warnings are printed on standard
-/// error. Error (Input) naming the file: faults, no render node, no lights, no volumes; Error (Arguments): no such node; Error
-/// (Cancelled) on SIGINT and SIGTERM.
+/// `renderNode` "": the one that feeds an output, else the first by name that has lights. Faults and warnings
+/// are printed on standard error. Error (Input) naming the file: faults, no render node, no lights, no
+/// volumes; Error (Arguments): no such node; Error (Cancelled) on SIGINT and SIGTERM.
 Result<SceneFile> openScene(const std::filesystem::path& file, const std::string& renderNode);
 
 /// Has SIGINT or SIGTERM been received since openScene()?

@@ -18,7 +18,8 @@ namespace {
 /// Refused unless absent, empty or to be overwritten; made otherwise.
 Result<void> prepareFolder(const fs::path& folder, bool overwrite) {
   std::error_code ec;
-  if (fs::exists(folder, ec) && !fs::is_directory(folder, ec)) return fail(Code::Input, "{}: is no folder", folder.string());
+  if (fs::exists(folder, ec) && !fs::is_directory(folder, ec))
+    return fail(Code::Input, "{}: is no folder", folder.string());
   if (fs::is_directory(folder, ec) && !fs::is_empty(folder, ec) && !overwrite)
     return fail(Code::Input, "{}: is not empty; --overwrite writes into it", folder.string());
   fs::create_directories(folder, ec);
@@ -36,14 +37,18 @@ void printTable(const std::vector<view::ShootoutEntry>& entries) {
   for (const view::ShootoutEntry& e : entries) width = std::max(width, label(e, e.lights.back()).size());
   for (const view::ShootoutEntry& e : entries) {
     if (group != e.group) {
-      fmt::print("{}{}\n", group ? "\n" : "", e.group == view::ShootoutGroup::Truth ? "Truth" : e.group == view::ShootoutGroup::Defaults ? "Defaults" : "Equal memory");
-      fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>10} {:>10} {:>8} {:>6} {:>9} {:>10}\n", "representation", width, "mean |dT|", "p95", "max", "build ms", "ns/lookup", "B/texel",
-                 "texels", "MiB", "relMSE");
+      fmt::print("{}{}\n", group ? "\n" : "",
+                 e.group == view::ShootoutGroup::Truth      ? "Truth"
+                 : e.group == view::ShootoutGroup::Defaults ? "Defaults"
+                                                            : "Equal memory");
+      fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>10} {:>10} {:>8} {:>6} {:>9} {:>10}\n", "representation", width,
+                 "mean |dT|", "p95", "max", "build ms", "ns/lookup", "B/texel", "texels", "MiB", "relMSE");
       group = e.group;
     }
     for (const view::ShadowMeasure& m : e.lights)
-      fmt::print("{:<{}} {:>9.5f} {:>9.4f} {:>9.3f} {:>10.2f} {:>10.1f} {:>8.1f} {:>6} {:>9.3f} {:>10.3e}\n", label(e, m), width,
-                 m.error.mean, m.error.p95, m.error.maximum, m.buildMs, m.nsPerLookup, m.bytesPerTexel, shadow::resolutionOf(m.spec), double(m.bytes) / (1 << 20), e.relMse);
+      fmt::print("{:<{}} {:>9.5f} {:>9.4f} {:>9.3f} {:>10.2f} {:>10.1f} {:>8.1f} {:>6} {:>9.3f} {:>10.3e}\n",
+                 label(e, m), width, m.error.mean, m.error.p95, m.error.maximum, m.buildMs, m.nsPerLookup,
+                 m.bytesPerTexel, shadow::resolutionOf(m.spec), double(m.bytes) / (1 << 20), e.relMse);
   }
 }
 
@@ -71,12 +76,15 @@ Result<void> run(const ShootoutArguments& a) {
   sheet.exposure = choice.exposure;
   sheet.title = a.file.stem().string();
   const std::size_t lights = file.scene.lights.size();
-  sheet.subtitle = fmt::format("{} light{}, {} points in the media against exact transmittance; {} x {} pixels, {} samples; {}", lights, lights == 1 ? "" : "s (the worst one's error is shown)",
-                               shootout.pointCount(), a.size.x, a.size.y, a.samples, file.renderer->device().renderer);
+  sheet.subtitle = fmt::format(
+      "{} light{}, {} points in the media against exact transmittance; {} x {} pixels, {} samples; {}",
+      lights, lights == 1 ? "" : "s (the worst one's error is shown)", shootout.pointCount(), a.size.x,
+      a.size.y, a.samples, file.renderer->device().renderer);
   PILEUS_TRY(const image::Canvas canvas, view::contactSheet(shootout.entries(), *config, sheet));
   PILEUS_CHECK(image::writePng(folder / "contact-sheet.png", canvas.size, canvas.rgba.data()));
   printTable(shootout.entries());
-  fmt::print("\n{} points, {}; {} and contact-sheet.png ({:.1f} s)\n", shootout.pointCount(), file.renderer->device().renderer, (folder / "shootout.csv").string(), clock.ms() * 1e-3);
+  fmt::print("\n{} points, {}; {} and contact-sheet.png ({:.1f} s)\n", shootout.pointCount(),
+             file.renderer->device().renderer, (folder / "shootout.csv").string(), clock.ms() * 1e-3);
   std::fflush(stdout);
   return {};
 }

@@ -11,7 +11,7 @@ struct ShootoutArguments {
   std::filesystem::path file, out;  ///< out empty: FILE's name with -shootout, in the working folder
   ivec2 size{320, 180};
   int resolution = 512, samples = 4, points = 20000;
-  std::string render;               ///< node; "": the one that feeds an output
+  std::string render;  ///< node; "": the one that feeds an output
   bool overwrite = false;
 };
 

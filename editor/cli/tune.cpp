@@ -16,30 +16,38 @@ namespace {
 
 std::string goalText(const view::TuneGoal& goal) {
   switch (goal.bound) {
-    case view::TuneBound::P95: return fmt::format("p95 |dT| <= {:g}", goal.limit);
-    case view::TuneBound::Milliseconds: return fmt::format("{:g} ms", goal.limit);
-    case view::TuneBound::Mebibytes: break;
+    case view::TuneBound::P95:
+      return fmt::format("p95 |dT| <= {:g}", goal.limit);
+    case view::TuneBound::Milliseconds:
+      return fmt::format("{:g} ms", goal.limit);
+    case view::TuneBound::Mebibytes:
+      break;
   }
   return fmt::format("{:g} MiB", goal.limit);
 }
 
 std::string candidateText(const view::TuneCandidate& c) {
-  return fmt::format("{}, {} texels: p95 {:.4f}, {:.3f} MiB, {:.2f} ms", shadow::describe(c.spec), shadow::resolutionOf(c.spec), c.p95, double(c.bytes) / (1 << 20), c.ms());
+  return fmt::format("{}, {} texels: p95 {:.4f}, {:.3f} MiB, {:.2f} ms", shadow::describe(c.spec),
+                     shadow::resolutionOf(c.spec), c.p95, double(c.bytes) / (1 << 20), c.ms());
 }
 
 void printCurve(const view::Tuner& tuner) {
   const auto best = tuner.best();
-  fmt::print("{:<2}{:>9} {:>9} {:>9} {:>9} {:>10} {:>7}  {}\n", "", "MiB", "p95 |dT|", "mean", "build ms", "ns/lookup", "texels", "representation");
+  fmt::print("{:<2}{:>9} {:>9} {:>9} {:>9} {:>10} {:>7}  {}\n", "", "MiB", "p95 |dT|", "mean", "build ms",
+             "ns/lookup", "texels", "representation");
   for (const view::TuneCandidate& c : tuner.curve())
-    fmt::print("{:<2}{:>9.3f} {:>9.4f} {:>9.5f} {:>9.2f} {:>10.1f} {:>7}  {}\n", best && c.spec == best->spec ? "*" : "", double(c.bytes) / (1 << 20), c.p95, c.mean, c.buildMs,
+    fmt::print("{:<2}{:>9.3f} {:>9.4f} {:>9.5f} {:>9.2f} {:>10.1f} {:>7}  {}\n",
+               best && c.spec == best->spec ? "*" : "", double(c.bytes) / (1 << 20), c.p95, c.mean, c.buildMs,
                c.nsPerLookup, shadow::resolutionOf(c.spec), shadow::describe(c.spec));
 }
 
 /// The graph with the group's nodes tuned.
-Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, const nodes::ShadowGroup& group, double share, const nodes::Graph& graph) {
+Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, const nodes::ShadowGroup& group,
+                               double share, const nodes::Graph& graph) {
   view::TuneGoal goal = a.goal;
   if (goal.bound != view::TuneBound::P95) goal.limit *= share;  // what is spent is shared by number of lights
-  view::Tuner tuner(group.casters, group.nodes.front().spec, goal, {{.count = a.points}, std::min(128, a.maxResolution), a.maxResolution});
+  view::Tuner tuner(group.casters, group.nodes.front().spec, goal,
+                    {{.count = a.points}, std::min(128, a.maxResolution), a.maxResolution});
   const shadow::Gpu gpu = file.renderer->gpu();
   MeasureProgress progress;
   for (double done = 0; done < 1;) {
@@ -51,17 +59,22 @@ Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, co
   progress.finish();
   printCurve(tuner);
   const auto best = tuner.best();
-  if (!best) return fail(Code::Bound, "{}: {} cannot be met; nearest is {}", a.file.string(), goalText(goal), candidateText(*tuner.nearest()));
+  if (!best)
+    return fail(Code::Bound, "{}: {} cannot be met; nearest is {}", a.file.string(), goalText(goal),
+                candidateText(*tuner.nearest()));
   fmt::print("{} tried; {}\n", tuner.measured().size(), candidateText(*best));
   return nodes::writeGroup(graph, group, best->spec);
 }
 
 Result<void> run(const TuneArguments& a) {
   std::error_code ec;
-  if (fs::exists(a.out, ec) && !a.overwrite) return fail(Code::Input, "{}: exists; --overwrite replaces it", a.out.string());
+  if (fs::exists(a.out, ec) && !a.overwrite)
+    return fail(Code::Input, "{}: exists; --overwrite replaces it", a.out.string());
   PILEUS_TRY(const SceneFile file, openScene(a.file, a.render));
-  const std::vector<nodes::ShadowGroup> groups = nodes::shadowGroups(file.graph, file.renderNode, file.graph.settings.frames.x, file.scene);
-  if (groups.empty()) return fail(Code::Input, "{}: no light of {} has a shadow map to tune", a.file.string(), file.renderNode);
+  const std::vector<nodes::ShadowGroup> groups =
+      nodes::shadowGroups(file.graph, file.renderNode, file.graph.settings.frames.x, file.scene);
+  if (groups.empty())
+    return fail(Code::Input, "{}: no light of {} has a shadow map to tune", a.file.string(), file.renderNode);
   std::size_t lights = 0;
   for (const nodes::ShadowGroup& g : groups) lights += g.casters.size();
   nodes::Graph graph = file.graph;

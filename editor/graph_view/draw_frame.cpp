@@ -16,15 +16,19 @@ ImU32 frameTint(const nodes::Frame& frame) {
 namespace {
 
 /// As large as the canvas's text, but never too small to read; in the part that is on the screen.
-void drawTitle(const Theme& theme, const CanvasView& view, const nodes::Frame& frame, vec2 lo, vec2 hi, float bar) {
-  ImFont* font = view.level.strong && view.level.strong->FontSize > theme.strong->FontSize ? view.level.strong : theme.strong;
+void drawTitle(const Theme& theme, const CanvasView& view, const nodes::Frame& frame, vec2 lo, vec2 hi,
+               float bar) {
+  ImFont* font = view.level.strong && view.level.strong->FontSize > theme.strong->FontSize ? view.level.strong
+                                                                                           : theme.strong;
   const float left = std::max(lo.x, view.min.x) + theme.px(10), room = hi.x - left - theme.px(8);
   if (room < theme.px(22) || bar < font->FontSize * 0.9f) return;
   const vec2 at(left, lo.y + 0.5f * (bar - font->FontSize));
   // Far away the title, which does not shrink any more, lies over nodes.
   if (!view.level.text && !frame.title.empty()) {
-    const vec2 pad(theme.px(4), theme.px(1)), size(std::min(textWidth(font, frame.title), room), font->FontSize);
-    view.draw->AddRectFilled(im(at - pad), im(at + size + pad), mixed(palette::kCanvas, frameTint(frame), 0.35f), theme.px(3));
+    const vec2 pad(theme.px(4), theme.px(1)),
+        size(std::min(textWidth(font, frame.title), room), font->FontSize);
+    view.draw->AddRectFilled(im(at - pad), im(at + size + pad),
+                             mixed(palette::kCanvas, frameTint(frame), 0.35f), theme.px(3));
   }
   drawText(view.draw, font, at, palette::kText, frame.title, room);
 }
@@ -57,7 +61,8 @@ void drawDistantTitles(Editor& editor, const CanvasView& view) {
   if (view.level.text) return;
   const float header = view.px(frameHeader(view.level.zoom / editor.theme.scale));
   for (const nodes::Frame& frame : shownGraph(editor).frames) {
-    const vec2 lo = glm::round(view.screen(vec2(frame.at))), hi = glm::round(view.screen(vec2(frame.at + frame.size)));
+    const vec2 lo = glm::round(view.screen(vec2(frame.at))),
+               hi = glm::round(view.screen(vec2(frame.at + frame.size)));
     if (view.visible(lo, hi)) drawTitle(editor.theme, view, frame, lo, hi, std::min(header, hi.y - lo.y));
   }
 }

@@ -22,7 +22,8 @@ Frame frameOf(const Theme& theme, const CanvasView& view, const NodePlace& place
           std::round(view.px(place.header))};
   // A name that does not shrink any more keeps room below the colour.
   if (!view.level.text)
-    f.header = std::clamp(f.hi.y - f.lo.y - theme.small->FontSize - theme.px(4), theme.px(3), std::max(f.header, theme.px(3)));
+    f.header = std::clamp(f.hi.y - f.lo.y - theme.small->FontSize - theme.px(4), theme.px(3),
+                          std::max(f.header, theme.px(3)));
   return f;
 }
 

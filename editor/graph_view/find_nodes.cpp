@@ -46,8 +46,9 @@ void searchAgain(Editor& editor) {
   // The chosen row stays chosen where it is still found.
   if (find.chosen < static_cast<int>(before.size())) {
     const FindMatch& chosen = before[static_cast<std::size_t>(find.chosen)];
-    const auto same = std::find_if(find.all.begin(), find.all.end(),
-                                   [&](const FindMatch& m) { return m.scope == chosen.scope && m.node == chosen.node; });
+    const auto same = std::find_if(find.all.begin(), find.all.end(), [&](const FindMatch& m) {
+      return m.scope == chosen.scope && m.node == chosen.node;
+    });
     if (same != find.all.end()) find.chosen = static_cast<int>(same - find.all.begin());
   }
   find.chosen = std::clamp(find.chosen, 0, std::max(0, static_cast<int>(find.all.size()) - 1));

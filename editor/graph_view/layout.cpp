@@ -113,7 +113,8 @@ Layout layoutGraph(const nodes::Graph& graph, const std::set<std::string>& raise
     for (const auto& [name, node] : graph.nodes)
       if (raised.contains(name) == top) layout.nodes.push_back(place(table, name, node, thumbnails, frame));
   for (const NodePlace& p : layout.nodes)
-    for (const SocketPlace& s : p.sockets) layout.animated |= !s.value.empty() && p.node->animated.contains(s.id);
+    for (const SocketPlace& s : p.sockets)
+      layout.animated |= !s.value.empty() && p.node->animated.contains(s.id);
   for (std::size_t i = 0; i < layout.nodes.size(); ++i) layout.byName.push_back(static_cast<int>(i));
   std::sort(layout.byName.begin(), layout.byName.end(), [&](int a, int b) {
     return layout.nodes[static_cast<std::size_t>(a)].name < layout.nodes[static_cast<std::size_t>(b)].name;

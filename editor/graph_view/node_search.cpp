@@ -214,7 +214,8 @@ void drawSearch(Editor& editor) {
   if (search.opening) {
     ImGui::OpenPopup(kPopup);
     search.opening = false;
-    const float height = theme.px(130 + 40 * std::clamp(static_cast<float>(search.items.size()), 1.0f, kRows));
+    const float height =
+        theme.px(130 + 40 * std::clamp(static_cast<float>(search.items.size()), 1.0f, kRows));
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(
         {std::clamp(search.at.x - theme.px(20), 4.0f, std::max(4.0f, display.x - theme.px(kWidth) - 4)),

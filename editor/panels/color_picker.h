@@ -17,7 +17,7 @@ struct ColorPicker {
   Hsv hsv;          ///< of the colour last shown: keeps the hue of greys
   dvec3 before{0};  ///< the colour when the popup opened
   double kelvin = 6500;
-  std::string key;              ///< "Node.param" it belongs to
+  std::string key;  ///< "Node.param" it belongs to
   bool open = false;
   std::vector<ImU32> wheel;    ///< display colours of the wheel's vertices
   unsigned wheelRevision = 0;  ///< of the display colours they were made with

@@ -23,16 +23,20 @@ void chooseScale(Editor& editor) {
   field.softMin = shadow ? 0.001 : 1e-4, field.softMax = shadow ? 1 : 100;
   field.hardMin = 1e-6, field.hardMax = shadow ? 1 : 1e6;
   field.logarithmic = true;
-  const NumberEdit edit = numberField(editor.parameters.numbers, editor.theme, "##compare scale", scale, field, editor.theme.px(84));
+  const NumberEdit edit = numberField(editor.parameters.numbers, editor.theme, "##compare scale", scale,
+                                      field, editor.theme.px(84));
   editor.trace.item("compare/scale");
   if (edit.changed && !shadow) mode.autoScale = false;
   if (ImGui::IsItemHovered() && !edit.dragging)
-    tooltip(editor.theme, shadow ? "The error in T shown in the strongest colours"
-                                 : "The error in radiance shown in the strongest colours. Right click: follow the picture.");
+    tooltip(editor.theme,
+            shadow
+                ? "The error in T shown in the strongest colours"
+                : "The error in radiance shown in the strongest colours. Right click: follow the picture.");
   if (!shadow && ImGui::IsItemClicked(1)) mode.autoScale = true;
   if (!shadow) return;
   ImGui::SameLine(0, editor.theme.space(3));
-  if (segment(editor, "compare/worst", "Worst", "The largest error on a pixel's ray, not the mean of what is seen", mode.worst, true, true))
+  if (segment(editor, "compare/worst", "Worst",
+              "The largest error on a pixel's ray, not the mean of what is seen", mode.worst, true, true))
     mode.worst = !mode.worst;
 }
 
@@ -71,14 +75,17 @@ void drawCompareBar(Editor& editor, ImVec2 min, ImVec2 max) {
   editor.trace.item("compare/close");
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) tooltip(theme, "Leave compare mode (Tab)");
-  drawText(draw, theme.small, {cross + 0.5f * (side - textWidth(theme.small, icon::kTimes)), min.y + 0.5f * (side - theme.small->FontSize)},
+  drawText(draw, theme.small,
+           {cross + 0.5f * (side - textWidth(theme.small, icon::kTimes)),
+            min.y + 0.5f * (side - theme.small->FontSize)},
            hovered ? palette::kText : palette::kTextDim, icon::kTimes, side);
 
   const std::string text = progressText(editor);
   editor.trace.note("compare progress", text);
   const float width = textWidth(theme.small, text);
   if (cross - theme.space(2) - width > used + theme.space(3))
-    drawText(draw, theme.small, {cross - theme.space(2) - width, min.y + 0.5f * (side - theme.small->FontSize)},
+    drawText(draw, theme.small,
+             {cross - theme.space(2) - width, min.y + 0.5f * (side - theme.small->FontSize)},
              palette::kTextDim, text, width + 1);
 }
 

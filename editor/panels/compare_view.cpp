@@ -13,7 +13,6 @@
 namespace pileus::editor {
 namespace {
 
-
 ImTextureID textureId(unsigned texture) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
@@ -23,7 +22,8 @@ struct Sides {
   unsigned picture = 0, truth = 0;
 };
 
-unsigned drawn(Editor& editor, const view::ComparePass& pass, view::CompareDisplay::Show show, double scale, int slot) {
+unsigned drawn(Editor& editor, const view::ComparePass& pass, view::CompareDisplay::Show show, double scale,
+               int slot) {
   Result<unsigned> texture = editor.compare.display.draw(editor.renderer->shaders(), pass, show, scale, slot);
   if (texture) return *texture;
   if (editor.compare.error.empty()) editor.compare.error = texture.error().message;
@@ -37,7 +37,8 @@ Sides sidesOf(Editor& editor, ivec2 size) {
     return {editor.viewport.texture, pass ? displayTexture(editor, pass->truth(), size, 1) : 0};
   if (!pass) return {};
   using Show = view::CompareDisplay::Show;
-  return {drawn(editor, *pass, Show::MappedTransmittance, 1, 0), drawn(editor, *pass, Show::TrueTransmittance, 1, 1)};
+  return {drawn(editor, *pass, Show::MappedTransmittance, 1, 0),
+          drawn(editor, *pass, Show::TrueTransmittance, 1, 1)};
 }
 
 /// "interval K=4, 8 cosines": what the picture's lights have in common.
@@ -49,8 +50,10 @@ std::string pictureLabel(const CompareMode& mode) {
       if (!light.shadow) continue;
       const std::string name = shadow::describe(light.shadow->spec);
       ++shadows;
-      if (label.empty()) label = name;
-      else if (label != name) label = "?";
+      if (label.empty())
+        label = name;
+      else if (label != name)
+        label = "?";
     }
   return label == "?" ? fmt::format("{} shadows", shadows) : label.empty() ? "Picture" : label;
 }
@@ -60,7 +63,9 @@ std::string truthLabel(const CompareMode& mode) {
   if (!pass) return "Ray marched, soon";
   if (pass == mode.coarse.get()) return "Ray marched, small";
   const int done = pass->truth()->samples, all = pass->scene().options.samples;
-  return mode.of == CompareOf::Radiance && done < all ? fmt::format("Ray marched, {} of {} samples", done, all) : "Ray marched";
+  return mode.of == CompareOf::Radiance && done < all
+             ? fmt::format("Ray marched, {} of {} samples", done, all)
+             : "Ray marched";
 }
 
 void label(Editor& editor, vec2 lo, vec2 hi, const std::string& text, bool right, const char* trace) {
@@ -69,7 +74,8 @@ void label(Editor& editor, vec2 lo, vec2 hi, const std::string& text, bool right
   const float room = hi.x - lo.x - 2 * theme.space(2) - 2 * pad.x;
   if (room < theme.px(40)) return;
   const vec2 size(std::min(textWidth(theme.small, text), room), theme.small->FontSize);
-  const vec2 at(right ? hi.x - theme.space(2) - 2 * pad.x - size.x : lo.x + theme.space(2), lo.y + theme.space(2));
+  const vec2 at(right ? hi.x - theme.space(2) - 2 * pad.x - size.x : lo.x + theme.space(2),
+                lo.y + theme.space(2));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), palette::kChip, theme.px(4));
   drawText(draw, theme.small, at + pad, palette::kText, text, size.x + 1);
@@ -81,7 +87,8 @@ void drawPart(vec2 lo, vec2 hi, unsigned texture, unsigned instead, float from, 
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const vec2 a(glm::mix(lo.x, hi.x, from), lo.y), b(glm::mix(lo.x, hi.x, to), hi.y);
   if (to <= from) return;
-  if (texture || instead) draw->AddImage(textureId(texture ? texture : instead), im(a), im(b), {from, 0}, {to, 1});
+  if (texture || instead)
+    draw->AddImage(textureId(texture ? texture : instead), im(a), im(b), {from, 0}, {to, 1});
   if (!texture) draw->AddRectFilled(im(a), im(b), palette::kVeil);
 }
 
@@ -103,7 +110,8 @@ void drawWipe(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
 
 void drawHalves(Editor& editor, vec2 lo, vec2 hi, float aspect) {
   const vec2 room(0.5f * (hi.x - lo.x - editor.theme.px(4)), hi.y - lo.y);
-  const vec2 size = glm::max(glm::floor(vec2(std::min(room.x, room.y * aspect), std::min(room.y, room.x / aspect))), vec2(1));
+  const vec2 size = glm::max(
+      glm::floor(vec2(std::min(room.x, room.y * aspect), std::min(room.y, room.x / aspect))), vec2(1));
   const float middle = std::round(0.5f * (lo.x + hi.x)), top = std::floor(lo.y + 0.5f * (room.y - size.y));
   const vec2 a(middle - editor.theme.px(2) - size.x, top), b(middle + editor.theme.px(2), top);
   const Sides sides = sidesOf(editor, ivec2(size));
@@ -114,29 +122,35 @@ void drawHalves(Editor& editor, vec2 lo, vec2 hi, float aspect) {
   editor.viewport.shown = {{a, a + size}, {b, b + size}};
 }
 
-std::string tick(double value) { return value == 0 ? "0" : fmt::format("{}{:.3g}", value < 0 ? "\xe2\x88\x92" : "+", std::abs(value)); }
+std::string tick(double value) {
+  return value == 0 ? "0" : fmt::format("{}{:.3g}", value < 0 ? "\xe2\x88\x92" : "+", std::abs(value));
+}
 
 /// The colours with their values, at the right end of the strip; its width.
 float drawLegend(Editor& editor, vec2 lo, vec2 hi, double scale) {
   const Theme& theme = editor.theme;
   const float width = theme.px(150), bar = theme.px(8), text = theme.small->FontSize;
   const std::string_view dark = "too dark", leak = "light leaks";
-  const float darkWidth = textWidth(theme.small, dark), leakWidth = textWidth(theme.small, leak), gap = theme.space(6);
+  const float darkWidth = textWidth(theme.small, dark), leakWidth = textWidth(theme.small, leak),
+              gap = theme.space(6);
   const float whole = darkWidth + width + leakWidth + 2 * gap;
   if (whole > hi.x - lo.x) return 0;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const vec2 at(hi.x - leakWidth - gap - width, std::round(0.5f * (lo.y + hi.y) - 0.5f * (bar + text + theme.px(3))));
+  const vec2 at(hi.x - leakWidth - gap - width,
+                std::round(0.5f * (lo.y + hi.y) - 0.5f * (bar + text + theme.px(3))));
   const float middle = std::round(at.y + 0.5f * (bar + text + theme.px(3) - text));
   drawText(draw, theme.small, {at.x - gap - darkWidth, middle}, palette::kTextDim, dark, darkWidth + 1);
   drawText(draw, theme.small, {hi.x - leakWidth, middle}, palette::kTextDim, leak, leakWidth + 1);
   constexpr int kSteps = 75;
   for (int i = 0; i < kSteps; ++i) {
     const vec3 c = 255.0f * view::falseColour(2.0 * (i + 0.5) / kSteps - 1);
-    draw->AddRectFilled({at.x + width * static_cast<float>(i) / kSteps, at.y}, {at.x + width * static_cast<float>(i + 1) / kSteps, at.y + bar},
+    draw->AddRectFilled({at.x + width * static_cast<float>(i) / kSteps, at.y},
+                        {at.x + width * static_cast<float>(i + 1) / kSteps, at.y + bar},
                         IM_COL32(static_cast<int>(c.r), static_cast<int>(c.g), static_cast<int>(c.b), 255));
   }
   for (int i = -2; i <= 2; ++i) {
-    const float x = std::clamp(at.x + width * (0.5f + 0.25f * static_cast<float>(i)), at.x + 0.5f, at.x + width - 0.5f);
+    const float x =
+        std::clamp(at.x + width * (0.5f + 0.25f * static_cast<float>(i)), at.x + 0.5f, at.x + width - 0.5f);
     draw->AddLine({x, at.y + bar}, {x, at.y + bar + theme.px(3)}, palette::kTextDim);
     if (i % 2 != 0) continue;
     const std::string value = tick(0.5 * i * scale);
@@ -153,17 +167,30 @@ void drawError(Editor& editor, vec2 lo, vec2 hi) {
   const bool radiance = mode.of == CompareOf::Radiance;
   const double scale = radiance ? mode.radianceScale : mode.shadowScale;
   const view::ComparePass* pass = mode.shown();
-  const unsigned texture = pass ? drawn(editor, *pass, radiance ? Show::RadianceError : mode.worst ? Show::WorstError : Show::ShadowError, scale, 0) : 0;
+  const unsigned texture = pass ? drawn(editor, *pass,
+                                        radiance     ? Show::RadianceError
+                                        : mode.worst ? Show::WorstError
+                                                     : Show::ShadowError,
+                                        scale, 0)
+                                : 0;
   drawPart(lo, hi, texture, editor.viewport.texture, 0, 1);
   label(editor, lo, hi, pictureLabel(mode), false, "compare left");
-  const std::string what = radiance ? "Radiance" : mode.worst ? "\xce\x94T, worst on the ray" : "\xce\x94T, mean of what is seen";
-  label(editor, lo, hi, !pass ? what + ", soon" : pass == mode.coarse.get() ? what + ", small" : what, true, "compare right");
+  const std::string what = radiance     ? "Radiance"
+                           : mode.worst ? "\xce\x94T, worst on the ray"
+                                        : "\xce\x94T, mean of what is seen";
+  label(editor, lo, hi,
+        !pass                       ? what + ", soon"
+        : pass == mode.coarse.get() ? what + ", small"
+                                    : what,
+        true, "compare right");
   editor.viewport.shown = {{lo, hi}};
 }
 
 std::string figure(double value) {
   if (value == 0) return "0";
-  return value < 1e-3 || value >= 1e4 ? fmt::format("{:.1e}", value) : value < 1 ? fmt::format("{:.4f}", value) : fmt::format("{:.3g}", value);
+  return value < 1e-3 || value >= 1e4 ? fmt::format("{:.1e}", value)
+         : value < 1                  ? fmt::format("{:.4f}", value)
+                                      : fmt::format("{:.3g}", value);
 }
 
 }  // namespace
@@ -178,10 +205,13 @@ void drawComparison(Editor& editor, vec2 lo, vec2 hi, vec2 roomMin, vec2 roomMax
     draw->AddRectFilled(im(lo), im(hi), palette::kPictureEmpty);
   if (mode.layout == CompareLayout::Wipe) drawWipe(editor, lo, hi, hovered);
   if (mode.layout == CompareLayout::Error) drawError(editor, lo, hi);
-  if (!mode.error.empty()) label(editor, {lo.x, 0.5f * (lo.y + hi.y) - editor.theme.px(14)}, hi, mode.error, false, "compare error");
+  if (!mode.error.empty())
+    label(editor, {lo.x, 0.5f * (lo.y + hi.y) - editor.theme.px(14)}, hi, mode.error, false, "compare error");
   if (compareWantsFrame(editor))
-    draw->AddRectFilled({roomMin.x, roomMax.y - editor.theme.px(2)}, {glm::mix(roomMin.x, roomMax.x, static_cast<float>(compareFraction(mode))), roomMax.y},
-                        palette::kSelect);
+    draw->AddRectFilled(
+        {roomMin.x, roomMax.y - editor.theme.px(2)},
+        {glm::mix(roomMin.x, roomMax.x, static_cast<float>(compareFraction(mode))), roomMax.y},
+        palette::kSelect);
 }
 
 void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi) {
@@ -191,7 +221,8 @@ void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi) {
   draw->AddRectFilled(im(lo), im(hi), palette::kPanel);
   vec2 from(lo.x + theme.space(3), lo.y), to(hi.x - theme.space(3), hi.y);
   if (mode.layout == CompareLayout::Error)
-    to.x -= drawLegend(editor, from, to, mode.of == CompareOf::Radiance ? mode.radianceScale : mode.shadowScale);
+    to.x -=
+        drawLegend(editor, from, to, mode.of == CompareOf::Radiance ? mode.radianceScale : mode.shadowScale);
   const view::ComparePass* pass = mode.measured();
   if (!pass) return;
   const view::CompareFigures& f = pass->figures();
@@ -203,7 +234,8 @@ void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi) {
   };
   const auto figures = [&](const std::string& head, const view::ErrorFigures& e, bool known) {
     put(head, palette::kText, theme.space(2));
-    for (const auto& [name, value] : {std::pair("mean", e.mean), std::pair("95 %", e.p95), std::pair("max", e.maximum)}) {
+    for (const auto& [name, value] :
+         {std::pair("mean", e.mean), std::pair("95 %", e.p95), std::pair("max", e.maximum)}) {
       put(name, palette::kTextFaint, theme.px(5));
       put(known ? figure(value) : "\xe2\x80\xa6", palette::kText, theme.space(2));
     }

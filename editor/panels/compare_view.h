@@ -6,8 +6,8 @@ namespace pileus::editor {
 
 struct Editor;
 
-/// Draws into the picture's rectangle, or for halves into the whole room there is, and notes where pictures are
-/// (Viewport::shown). `hovered`: the pointer may take the wipe's line.
+/// Draws into the picture's rectangle, or for halves into the whole room there is, and notes where pictures
+/// are (Viewport::shown). `hovered`: the pointer may take the wipe's line.
 void drawComparison(Editor& editor, vec2 lo, vec2 hi, vec2 roomMin, vec2 roomMax, bool hovered);
 /// The figures and the legend, in a strip of the given place.
 void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi);

@@ -14,7 +14,7 @@ struct Eyedropper {
   std::optional<ParamTarget> target;  ///< on: what gets the colour
   /// The new value from the old one and the colour; empty: the colour itself.
   std::function<nodes::ParamValue(const nodes::ParamValue&, const dvec3&)> into;
-  dvec2 at{-1};                       ///< screen position that was read last
+  dvec2 at{-1};  ///< screen position that was read last
   dvec3 color{0};
 };
 

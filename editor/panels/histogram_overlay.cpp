@@ -99,7 +99,8 @@ void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right) {
   const float label = textWidth(theme.small,
                                 "\xe2\x89\xa4\xe2\x88\x92"
                                 "7");
-  const float text = theme.small->FontSize, bar = theme.px(14), width = bar + label + theme.px(6) + 2 * theme.space(2);
+  const float text = theme.small->FontSize, bar = theme.px(14),
+              width = bar + label + theme.px(6) + 2 * theme.space(2);
   const float cross = axisCrossHeight(editor, lo, hi), histogram = histogramTop(editor, lo, {right, hi.y});
   // Below the axis cross, where it does not stand beside the picture.
   const auto topAt = [&](float x) { return std::round(lo.y + (x < hi.x ? cross : 0.0f) + theme.space(2)); };

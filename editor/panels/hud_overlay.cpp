@@ -95,9 +95,8 @@ void drawHud(Editor& editor, vec2 lo, vec2 hi, float below) {
   for (const auto& [name, text] : rows) widest = std::max(widest, textWidth(theme.mono, text));
   const vec2 pad(theme.space(2), theme.px(6));
   const float left = lo.x + toolStripWidth(editor, lo, hi) + theme.space(2);
-  const vec2 a(left, below),
-      size(std::min(head + widest + 2 * pad.x, hi.x - left - theme.space(2)),
-           line * static_cast<float>(rows.size()) + 2 * pad.y);
+  const vec2 a(left, below), size(std::min(head + widest + 2 * pad.x, hi.x - left - theme.space(2)),
+                                  line * static_cast<float>(rows.size()) + 2 * pad.y);
   if (size.x < theme.px(160)) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(a), im(a + size), palette::kChip, theme.px(4));

@@ -15,7 +15,9 @@ void toggleTab(Editor& editor, LabTab tab) {
 
 }  // namespace
 
-bool labWantsFrame(const Editor& editor) { return editor.preview.settled() && (editor.lab.shootout.running || editor.lab.tune.running); }
+bool labWantsFrame(const Editor& editor) {
+  return editor.preview.settled() && (editor.lab.shootout.running || editor.lab.tune.running);
+}
 
 void stepLab(Editor& editor, double ms) {
   if (!labWantsFrame(editor)) return;
@@ -36,7 +38,9 @@ void drawLab(Editor& editor, ImVec2 min, ImVec2 max) {
   ImGui::SetCursorScreenPos({max.x - bar, min.y});
   if (ImGui::InvisibleButton("lab close", {bar, bar})) editor.settings.showLab = false;
   editor.trace.item("lab/close");
-  drawText(draw, theme.small, {max.x - 0.5f * (bar + textWidth(theme.small, icon::kTimes)), min.y + 0.5f * (bar - theme.small->FontSize)},
+  drawText(draw, theme.small,
+           {max.x - 0.5f * (bar + textWidth(theme.small, icon::kTimes)),
+            min.y + 0.5f * (bar - theme.small->FontSize)},
            ImGui::IsItemHovered() ? palette::kText : palette::kTextDim, icon::kTimes, bar);
   const vec2 lo(min.x, min.y + bar), hi = vec(max);
   if (editor.lab.tab == LabTab::Shootout)

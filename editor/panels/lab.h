@@ -1,6 +1,6 @@
 #pragma once
-// The measuring dock below the graph: shoot-out and tuner as two tabs. Both work on the picture's scene as it was
-// when they were started, a slice of time per frame.
+// The measuring dock below the graph: shoot-out and tuner as two tabs. Both work on the picture's scene as it
+// was when they were started, a slice of time per frame.
 #include <imgui.h>
 
 #include "editor/panels/shootout_panel.h"
@@ -14,7 +14,8 @@ struct Editor;
 enum class LabTab { Shootout, Tune };
 constexpr auto enumInfo(LabTab*) {
   using T = LabTab;
-  return std::array{EnumItem<T>{T::Shootout, "shootout", "Shoot-out", "Every shadow representation on this picture's lights"},
+  return std::array{EnumItem<T>{T::Shootout, "shootout", "Shoot-out",
+                                "Every shadow representation on this picture's lights"},
                     EnumItem<T>{T::Tune, "tune", "Tune", "The cheapest shadow parameters that keep a bound"}};
 }
 

@@ -7,7 +7,8 @@ namespace pileus::editor {
 struct Editor;
 
 void drawHistogram(Editor& editor, vec2 lo, vec2 hi);
-/// The bands of exposure with their stops, along the panel's right edge, above the histogram or beside it. lo, hi: of the picture.
+/// The bands of exposure with their stops, along the panel's right edge, above the histogram or beside it.
+/// lo, hi: of the picture.
 void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right);
 /// `below`: where its first line may begin.
 void drawHud(Editor& editor, vec2 lo, vec2 hi, float below);

@@ -13,7 +13,8 @@ namespace {
 
 double along(double value, dvec2 range, bool logarithmic) {
   if (logarithmic)
-    return (std::log(std::max(value, 1e-300)) - std::log(range.x)) / std::max(std::log(range.y) - std::log(range.x), 1e-300);
+    return (std::log(std::max(value, 1e-300)) - std::log(range.x)) /
+           std::max(std::log(range.y) - std::log(range.x), 1e-300);
   return (value - range.x) / (range.y == range.x ? 1 : range.y - range.x);
 }
 
@@ -31,13 +32,16 @@ std::vector<double> ticks(dvec2 range, bool logarithmic, int count) {
     return out;
   }
   const double step = tickStep(range.y - range.x, count);
-  for (double i = std::ceil(range.x / step - 1e-6); i * step <= range.y + 1e-6 * step; ++i) out.push_back(i * step);
+  for (double i = std::ceil(range.x / step - 1e-6); i * step <= range.y + 1e-6 * step; ++i)
+    out.push_back(i * step);
   return out;
 }
 
 /// Fills without the blended edges that would show as seams between neighbouring quads.
 struct HardEdges {
-  explicit HardEdges(ImDrawList* list) : draw(list), flags(list->Flags) { draw->Flags &= ~ImDrawListFlags_AntiAliasedFill; }
+  explicit HardEdges(ImDrawList* list) : draw(list), flags(list->Flags) {
+    draw->Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  }
   ~HardEdges() { draw->Flags = flags; }
   ImDrawList* draw;
   ImDrawListFlags flags;
@@ -45,7 +49,9 @@ struct HardEdges {
 
 }  // namespace
 
-float Plot::px(double value) const { return lo.x + static_cast<float>(along(value, x, logX)) * (hi.x - lo.x); }
+float Plot::px(double value) const {
+  return lo.x + static_cast<float>(along(value, x, logX)) * (hi.x - lo.x);
+}
 float Plot::py(double value) const {
   const auto t = static_cast<float>(std::clamp(along(value, y, logY), -0.05, 1.05));
   return hi.y - t * (hi.y - lo.y);
@@ -54,10 +60,13 @@ double Plot::xAt(float pixel) const {
   const double t = static_cast<double>((pixel - lo.x) / std::max(hi.x - lo.x, 1.0f));
   return logX ? x.x * std::pow(x.y / x.x, t) : glm::mix(x.x, x.y, t);
 }
-bool Plot::hovered() const { return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::IsMouseHoveringRect(im(lo), im(hi)); }
+bool Plot::hovered() const {
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::IsMouseHoveringRect(im(lo), im(hi));
+}
 
 double tickStep(double range, int count) {
-  const double raw = std::max(range, 1e-12) / std::max(count, 1), decade = std::pow(10.0, std::floor(std::log10(raw)));
+  const double raw = std::max(range, 1e-12) / std::max(count, 1),
+               decade = std::pow(10.0, std::floor(std::log10(raw)));
   for (const double m : {1.0, 2.0, 5.0})
     if (m * decade >= raw * 0.999) return m * decade;
   return 10 * decade;
@@ -82,7 +91,9 @@ void plotFrame(const Plot& p, AxisX axis, const char* unit, int ticksY) {
     p.draw->AddLine({p.lo.x, y}, {p.hi.x, y}, v == 0 ? palette::kLine : palette::kGridStrong);
     const std::string text = p.logY ? fmt::format("{:g}", v) : tickText(v, stepY);
     const float w = textWidth(font, text);
-    drawText(p.draw, font, {p.lo.x - theme.px(5) - w, std::clamp(y - 0.5f * font->FontSize, p.lo.y - theme.px(4), p.hi.y - font->FontSize + theme.px(4))},
+    drawText(p.draw, font,
+             {p.lo.x - theme.px(5) - w, std::clamp(y - 0.5f * font->FontSize, p.lo.y - theme.px(4),
+                                                   p.hi.y - font->FontSize + theme.px(4))},
              palette::kTextFaint, text, w + 1);
   }
   if (axis == AxisX::None) return;
@@ -107,29 +118,34 @@ void plotLine(const Plot& p, std::span<const double> x, std::span<const double> 
   std::vector<ImVec2> points;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
     const vec2 at = p.at(x[i], y[i]);
-    if (points.empty() || std::abs(at.x - points.back().x) > 0.3f || std::abs(at.y - points.back().y) > 0.3f) points.push_back(im(at));
+    if (points.empty() || std::abs(at.x - points.back().x) > 0.3f || std::abs(at.y - points.back().y) > 0.3f)
+      points.push_back(im(at));
   }
   p.draw->PushClipRect(im(p.lo), im(p.hi), true);
   p.draw->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, width);
   p.draw->PopClipRect();
 }
 
-void plotBetween(const Plot& p, std::span<const double> x, std::span<const double> a, std::span<const double> b, ImU32 above, ImU32 below) {
+void plotBetween(const Plot& p, std::span<const double> x, std::span<const double> a,
+                 std::span<const double> b, ImU32 above, ImU32 below) {
   const HardEdges hard(p.draw);
   p.draw->PushClipRect(im(p.lo), im(p.hi), true);
   for (std::size_t i = 0; i + 1 < std::min({x.size(), a.size(), b.size()}); ++i) {
     if (std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) < 1e-9) continue;
     const ImU32 color = b[i] + b[i + 1] >= a[i] + a[i + 1] ? above : below;
-    p.draw->AddQuadFilled(im(p.at(x[i], a[i])), im(p.at(x[i], b[i])), im(p.at(x[i + 1], b[i + 1])), im(p.at(x[i + 1], a[i + 1])), color);
+    p.draw->AddQuadFilled(im(p.at(x[i], a[i])), im(p.at(x[i], b[i])), im(p.at(x[i + 1], b[i + 1])),
+                          im(p.at(x[i + 1], a[i + 1])), color);
   }
   p.draw->PopClipRect();
 }
 
-void plotArea(const Plot& p, std::span<const double> x, std::span<const double> y, double level, ImU32 color) {
+void plotArea(const Plot& p, std::span<const double> x, std::span<const double> y, double level,
+              ImU32 color) {
   const HardEdges hard(p.draw);
   p.draw->PushClipRect(im(p.lo), im(p.hi), true);
   for (std::size_t i = 0; i + 1 < std::min(x.size(), y.size()); ++i)
-    p.draw->AddQuadFilled(im(p.at(x[i], level)), im(p.at(x[i], y[i])), im(p.at(x[i + 1], y[i + 1])), im(p.at(x[i + 1], level)), color);
+    p.draw->AddQuadFilled(im(p.at(x[i], level)), im(p.at(x[i], y[i])), im(p.at(x[i + 1], y[i + 1])),
+                          im(p.at(x[i + 1], level)), color);
   p.draw->PopClipRect();
 }
 
@@ -138,7 +154,8 @@ void plotVertical(const Plot& p, double x, ImU32 color, bool dashed) {
   if (at < p.lo.x || at > p.hi.x) return;
   const float dash = p.theme->px(3);
   if (!dashed) return p.draw->AddLine({at, p.lo.y}, {at, p.hi.y}, color);
-  for (float y = p.lo.y; y < p.hi.y; y += 2 * dash) p.draw->AddLine({at, y}, {at, std::min(y + dash, p.hi.y)}, color);
+  for (float y = p.lo.y; y < p.hi.y; y += 2 * dash)
+    p.draw->AddLine({at, y}, {at, std::min(y + dash, p.hi.y)}, color);
 }
 
 void plotDot(const Plot& p, double x, double y, ImU32 color, float radius) {

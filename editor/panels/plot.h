@@ -1,5 +1,6 @@
 #pragma once
-// Charts over ImGui's draw lists: a frame with ticks, lines and filled areas. A Plot is a value for one frame.
+// Charts over ImGui's draw lists: a frame with ticks, lines and filled areas. A Plot is a value for one
+// frame.
 #include <imgui.h>
 
 #include <functional>
@@ -32,15 +33,17 @@ std::string tickText(double value, double step);
 
 /// What a frame shows of x.
 enum class AxisX { None, Grid, Labels };
-/// Ground, grid lines and tick labels: left of the frame, and below it for AxisX::Labels. `unit` stands behind
-/// the last label of x.
+/// Ground, grid lines and tick labels: left of the frame, and below it for AxisX::Labels. `unit` stands
+/// behind the last label of x.
 void plotFrame(const Plot& plot, AxisX axis, const char* unit = "", int ticksY = 4);
-void plotLine(const Plot& plot, std::span<const double> x, std::span<const double> y, ImU32 color, float width);
+void plotLine(const Plot& plot, std::span<const double> x, std::span<const double> y, ImU32 color,
+              float width);
 /// Between two curves: one colour where `b` is above `a`, the other where it is below.
-void plotBetween(const Plot& plot, std::span<const double> x, std::span<const double> a, std::span<const double> b, ImU32 above,
-                 ImU32 below);
+void plotBetween(const Plot& plot, std::span<const double> x, std::span<const double> a,
+                 std::span<const double> b, ImU32 above, ImU32 below);
 /// Between a curve and a level.
-void plotArea(const Plot& plot, std::span<const double> x, std::span<const double> y, double level, ImU32 color);
+void plotArea(const Plot& plot, std::span<const double> x, std::span<const double> y, double level,
+              ImU32 color);
 void plotVertical(const Plot& plot, double x, ImU32 color, bool dashed);
 void plotDot(const Plot& plot, double x, double y, ImU32 color, float radius);
 

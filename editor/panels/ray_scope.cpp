@@ -24,7 +24,11 @@ std::vector<std::size_t> shadowedLights(const view::RenderScene& scene) {
 
 std::string lightName(const view::RenderScene& scene, std::size_t light, std::size_t number) {
   const scene::LightKind kind = scene.lights[light].light.kind;
-  return fmt::format("{} {}", kind == scene::LightKind::Sun ? "Sun" : kind == scene::LightKind::Point ? "Point" : "Spot", number + 1);
+  return fmt::format("{} {}",
+                     kind == scene::LightKind::Sun     ? "Sun"
+                     : kind == scene::LightKind::Point ? "Point"
+                                                       : "Spot",
+                     number + 1);
 }
 
 /// Looks again where the picture, the point or the light is another one.
@@ -39,7 +43,8 @@ void follow(Editor& editor) {
   if (editor.preview.draft() && scope.probe) return;
   const std::vector<std::size_t> lights = shadowedLights(*picture->scene);
   scope.light = lights.empty() ? 0 : std::min(scope.light, lights.size() - 1);
-  if (scope.scene == picture->scene && scope.probedPoint == scope.point && scope.probedLight == scope.light) return;
+  if (scope.scene == picture->scene && scope.probedPoint == scope.point && scope.probedLight == scope.light)
+    return;
   scope.scene = picture->scene, scope.probedPoint = scope.point, scope.probedLight = scope.light;
   scope.error.clear();
   if (lights.empty()) {
@@ -47,7 +52,8 @@ void follow(Editor& editor) {
     scope.error = "No light of this picture has a shadow.";
     return;
   }
-  Result<view::RayProbe> probe = view::probeRay(editor.renderer->gpu(), picture->scene->lights[lights[scope.light]], *scope.point);
+  Result<view::RayProbe> probe =
+      view::probeRay(editor.renderer->gpu(), picture->scene->lights[lights[scope.light]], *scope.point);
   scope.probe.reset();
   if (!probe) {
     scope.error = probe.error().message;
@@ -75,16 +81,21 @@ void drawHead(Editor& editor, vec2 lo, vec2 hi) {
   draw->AddRectFilled(im(lo), im(hi), palette::kPanel);
   const std::string title = std::string(icon::kCrosshairs) + "  Ray scope";
   const float side = hi.y - lo.y;
-  drawText(draw, theme.strong, {lo.x + theme.space(3), lo.y + 0.5f * (side - theme.strong->FontSize)}, palette::kText, title, hi.x - lo.x);
+  drawText(draw, theme.strong, {lo.x + theme.space(3), lo.y + 0.5f * (side - theme.strong->FontSize)},
+           palette::kText, title, hi.x - lo.x);
   float x = lo.x + theme.space(3) + textWidth(theme.strong, title) + theme.space(4);
   ImGui::SetCursorScreenPos({x, lo.y + theme.px(5)});
-  if (segment(editor, "scope/pick", "Pick ray", "A click in the picture picks (S)", scope.picking, true, true)) togglePicking(editor);
+  if (segment(editor, "scope/pick", "Pick ray", "A click in the picture picks (S)", scope.picking, true,
+              true))
+    togglePicking(editor);
   const auto& picture = editor.preview.picture();
-  const std::vector<std::size_t> lights = picture && picture->scene ? shadowedLights(*picture->scene) : std::vector<std::size_t>{};
+  const std::vector<std::size_t> lights =
+      picture && picture->scene ? shadowedLights(*picture->scene) : std::vector<std::size_t>{};
   if (lights.size() > 1) {
     ImGui::SameLine(0, theme.space(2));
     const std::size_t chosen = std::min(scope.light, lights.size() - 1);
-    if (beginCombo(theme, "##scope light", lightName(*picture->scene, lights[chosen], chosen), theme.px(110))) {
+    if (beginCombo(theme, "##scope light", lightName(*picture->scene, lights[chosen], chosen),
+                   theme.px(110))) {
       for (std::size_t i = 0; i < lights.size(); ++i)
         if (ImGui::Selectable(lightName(*picture->scene, lights[i], i).c_str(), i == chosen)) scope.light = i;
       ImGui::EndCombo();
@@ -95,7 +106,9 @@ void drawHead(Editor& editor, vec2 lo, vec2 hi) {
   if (ImGui::InvisibleButton("scope close", {side, side})) toggleScope(editor);
   editor.trace.item("scope/close");
   const bool hovered = ImGui::IsItemHovered();
-  drawText(draw, theme.small, {hi.x - 0.5f * (side + textWidth(theme.small, icon::kTimes)), lo.y + 0.5f * (side - theme.small->FontSize)},
+  drawText(draw, theme.small,
+           {hi.x - 0.5f * (side + textWidth(theme.small, icon::kTimes)),
+            lo.y + 0.5f * (side - theme.small->FontSize)},
            hovered ? palette::kText : palette::kTextDim, icon::kTimes, side);
 }
 
@@ -103,9 +116,10 @@ void drawHint(Editor& editor, vec2 lo, vec2 hi, const std::string& text) {
   const Theme& theme = editor.theme;
   const float width = std::min(hi.x - lo.x - theme.space(8), theme.px(280));
   const ImVec2 size = theme.body->CalcTextSizeA(theme.body->FontSize, FLT_MAX, width, text.c_str());
-  ImGui::GetWindowDrawList()->AddText(theme.body, theme.body->FontSize,
-                                      {std::round(0.5f * (lo.x + hi.x - size.x)), std::round(lo.y + 0.35f * (hi.y - lo.y) - 0.5f * size.y)},
-                                      palette::kTextDim, text.c_str(), nullptr, width);
+  ImGui::GetWindowDrawList()->AddText(
+      theme.body, theme.body->FontSize,
+      {std::round(0.5f * (lo.x + hi.x - size.x)), std::round(lo.y + 0.35f * (hi.y - lo.y) - 0.5f * size.y)},
+      palette::kTextDim, text.c_str(), nullptr, width);
   editor.trace.note("scope hint", text);
 }
 
@@ -118,14 +132,17 @@ void drawSummary(Editor& editor, ChartSpace& space) {
     drawText(draw, font, {space.left, space.y}, ink, text, space.right - space.left);
     space.y += font->FontSize + theme.px(4);
   };
-  const std::string what = p.map->kind == shadow::ShadowMap::Kind::RayMarch ? "Ray marched" : shadow::describe(p.map->spec);
+  const std::string what =
+      p.map->kind == shadow::ShadowMap::Kind::RayMarch ? "Ray marched" : shadow::describe(p.map->spec);
   line(theme.strong, palette::kText, what);
   const double exact = interpolated(p.x, p.exact, p.pointX);
-  std::string point = fmt::format("Picked at {:.4g} m: T {:.4f}", p.metres(p.pointX), exact), ray = "Exact along the whole ray.";
+  std::string point = fmt::format("Picked at {:.4g} m: T {:.4f}", p.metres(p.pointX), exact),
+              ray = "Exact along the whole ray.";
   if (!p.mapped.empty()) {
     const double mapped = interpolated(p.x, p.mapped, p.pointX);
     point += fmt::format(", the map {:.4f} ({:+.4f})", mapped, mapped - exact);
-    ray = fmt::format("|\xce\x94T| of the ray: mean {:.4f}, max {:.4f} at {:.4g} m", p.meanError, p.maxError, p.metres(p.maxErrorX));
+    ray = fmt::format("|\xce\x94T| of the ray: mean {:.4f}, max {:.4f} at {:.4g} m", p.meanError, p.maxError,
+                      p.metres(p.maxErrorX));
   }
   line(theme.small, palette::kTextDim, point);
   line(theme.small, palette::kTextDim, ray);
@@ -139,7 +156,9 @@ float flagsHeight(const Editor& editor, float width) {
   const Theme& theme = editor.theme;
   float height = 0;
   for (const view::RayFlag& f : editor.scope.flags)
-    height += theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, width - theme.px(20), f.text.c_str()).y + theme.px(4);
+    height +=
+        theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, width - theme.px(20), f.text.c_str()).y +
+        theme.px(4);
   return height;
 }
 
@@ -150,9 +169,11 @@ void drawFlags(Editor& editor, const ChartSpace& space) {
   std::string all;
   for (const view::RayFlag& f : editor.scope.flags) {
     const bool warning = f.weight == view::RayFlag::Weight::Warning;
-    drawText(draw, theme.small, {space.left, y}, warning ? palette::kWarning : palette::kTextFaint, warning ? icon::kWarning : icon::kInfo, theme.px(18));
+    drawText(draw, theme.small, {space.left, y}, warning ? palette::kWarning : palette::kTextFaint,
+             warning ? icon::kWarning : icon::kInfo, theme.px(18));
     const float width = space.right - space.left - theme.px(20);
-    draw->AddText(theme.small, theme.small->FontSize, {space.left + theme.px(20), y}, warning ? palette::kText : palette::kTextDim, f.text.c_str(), nullptr, width);
+    draw->AddText(theme.small, theme.small->FontSize, {space.left + theme.px(20), y},
+                  warning ? palette::kText : palette::kTextDim, f.text.c_str(), nullptr, width);
     y += theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, width, f.text.c_str()).y + theme.px(4);
     all += (all.empty() ? "" : " ") + f.text;
   }
@@ -181,7 +202,8 @@ void drawPickedRay(Editor& editor) {
   for (const Viewport::Rect& r : editor.viewport.shown) {
     const vec2 at = glm::mix(r.min, r.max, vec2(*uv));
     const float radius = theme.px(6), arm = theme.px(5);
-    for (const auto& [color, width] : {std::pair(palette::kHandleEdge, 3.5f), std::pair(palette::kSelect, 1.5f)}) {
+    for (const auto& [color, width] :
+         {std::pair(palette::kHandleEdge, 3.5f), std::pair(palette::kSelect, 1.5f)}) {
       draw->AddCircle(im(at), radius, color, 0, width * theme.scale);
       for (const vec2 d : {vec2(1, 0), vec2(-1, 0), vec2(0, 1), vec2(0, -1)})
         draw->AddLine(im(at + radius * d), im(at + (radius + arm) * d), color, width * theme.scale);
@@ -201,16 +223,21 @@ void drawRayScope(Editor& editor, ImVec2 min, ImVec2 max) {
   editor.trace.rect("scope", min, max);
   if (!scope.error.empty()) return drawHint(editor, lo, hi, scope.error);
   if (!scope.probe)
-    return drawHint(editor, lo, hi, scope.point ? "Waiting for the picture." : "Choose Pick ray (S) and click into the picture: the light ray through what is seen there is drawn here.");
+    return drawHint(editor, lo, hi,
+                    scope.point ? "Waiting for the picture."
+                                : "Choose Pick ray (S) and click into the picture: the light ray through "
+                                  "what is seen there is drawn here.");
   if (scope.overU.u.empty()) followMuted(scope, true);
   const std::vector<char> before = scope.muted;
 
   ChartSpace space{lo.x + theme.space(3), hi.x - theme.space(3), lo.y + theme.space(1), 1};
   drawSummary(editor, space);
   const float flags = flagsHeight(editor, space.right - space.left);
-  const bool metric = scope.probe->map->metric && scope.probe->map->metric->block, series = !scope.probe->taps.taps.empty();
+  const bool metric = scope.probe->map->metric && scope.probe->map->metric->block,
+             series = !scope.probe->taps.taps.empty();
   const float shares = 2 + 1.4f + (metric ? 0.8f : 0) + (series ? 1.1f : 0);
-  space.unit = std::clamp((hi.y - theme.space(3) - flags - space.y - chartOverhead(editor)) / shares, theme.px(28), theme.px(150));
+  space.unit = std::clamp((hi.y - theme.space(3) - flags - space.y - chartOverhead(editor)) / shares,
+                          theme.px(28), theme.px(150));
   drawTransmittance(editor, space);
   drawExtinction(editor, space);
   drawCoefficients(editor, space);

@@ -1,6 +1,6 @@
 #pragma once
-// The ray scope: a click in the picture chooses a light ray, and the panel shows what the light's map makes of
-// it: transmittance, the metric, extinction over the metric, the coefficients, and what is wrong in words.
+// The ray scope: a click in the picture chooses a light ray, and the panel shows what the light's map makes
+// of it: transmittance, the metric, extinction over the metric, the coefficients, and what is wrong in words.
 #include <imgui.h>
 
 #include <optional>
@@ -14,9 +14,9 @@ namespace pileus::editor {
 struct Editor;
 
 struct RayScope {
-  bool picking = false;          ///< a plain click in the picture picks
-  std::optional<dvec3> point;    ///< what was picked, world
-  std::size_t light = 0;         ///< among the lights with a shadow
+  bool picking = false;        ///< a plain click in the picture picks
+  std::optional<dvec3> point;  ///< what was picked, world
+  std::size_t light = 0;       ///< among the lights with a shadow
 
   // What is shown, and what it was made for.
   std::optional<view::RayProbe> probe;
@@ -26,9 +26,9 @@ struct RayScope {
   std::optional<dvec3> probedPoint;
   std::size_t probedLight = 0;
 
-  std::vector<char> muted;       ///< by coefficient
+  std::vector<char> muted;  ///< by coefficient
   // Made anew where `muted` changes.
-  std::vector<double> mutedT;    ///< empty: nothing is muted
+  std::vector<double> mutedT;  ///< empty: nothing is muted
   view::ExtinctionOverU overU;
 };
 

@@ -8,16 +8,16 @@
 
 #include "editor/editor.h"
 #include "editor/graph_view/canvas_view.h"
-#include "renderer/shadow/metric.h"
 #include "editor/widgets.h"
+#include "renderer/shadow/metric.h"
 
 namespace pileus::editor {
 namespace {
 
 constexpr const ImU32* kVolumes[] = {&palette::kSeries0, &palette::kSeries1, &palette::kSeries2,
                                      &palette::kSeries3, &palette::kSeries4, &palette::kSeries5};
-constexpr float kGutter = 44;   // design pixels for the labels of y
-constexpr std::size_t kLanes = 4;       // of volume bars; the last one takes the rest
+constexpr float kGutter = 44;      // design pixels for the labels of y
+constexpr std::size_t kLanes = 4;  // of volume bars; the last one takes the rest
 
 bool deep(const view::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::Deep; }
 bool marched(const view::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::RayMarch; }
@@ -34,7 +34,8 @@ Plot plotIn(Editor& editor, const ChartSpace& space, float height, dvec2 x, dvec
   return plot;
 }
 
-void heading(Editor& editor, ChartSpace& space, const std::string& text, const std::vector<std::pair<std::string, ImU32>>& keys = {}) {
+void heading(Editor& editor, ChartSpace& space, const std::string& text,
+             const std::vector<std::pair<std::string, ImU32>>& keys = {}) {
   const Theme& theme = editor.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   drawText(draw, theme.small, {space.left, space.y}, palette::kTextDim, text, space.right - space.left);
@@ -72,11 +73,13 @@ std::vector<double> metresOf(const view::RayProbe& p) {
 std::vector<int> lanesOf(const view::RayProbe& p) {
   std::vector<std::size_t> order(p.parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p.parts[a].from < p.parts[b].from; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return p.parts[a].from < p.parts[b].from; });
   std::vector<double> ends;
   std::vector<int> lanes(p.parts.size(), 0);
   for (const std::size_t i : order) {
-    const auto free = std::find_if(ends.begin(), ends.end(), [&](double end) { return end <= p.parts[i].from; });
+    const auto free =
+        std::find_if(ends.begin(), ends.end(), [&](double end) { return end <= p.parts[i].from; });
     const auto lane = static_cast<std::size_t>(free - ends.begin());
     if (free == ends.end() && ends.size() < kLanes) ends.push_back(0);
     lanes[i] = static_cast<int>(std::min(lane, ends.size() - 1));
@@ -100,12 +103,15 @@ void drawVolumes(Editor& editor, ChartSpace& space, const view::RayProbe& p, con
   for (std::size_t i = 0; i < p.parts.size(); ++i) {
     const view::RayPart& part = p.parts[i];
     const int row = lanes[i];
-    const float x0 = std::max(plot.px(p.metres(part.from)), plot.lo.x), x1 = std::min(std::max(plot.px(p.metres(part.to)), x0 + 1), plot.hi.x);
+    const float x0 = std::max(plot.px(p.metres(part.from)), plot.lo.x),
+                x1 = std::min(std::max(plot.px(p.metres(part.to)), x0 + 1), plot.hi.x);
     const vec2 lo(x0, space.y + lane * static_cast<float>(row)), hi(x1, lo.y + lane - theme.px(2));
     const ImU32 color = *kVolumes[static_cast<std::size_t>(part.volume) % std::size(kVolumes)];
     plot.draw->AddRectFilled(im(lo), im(hi), color, theme.px(2));
-    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::IsMouseHoveringRect(im(lo - vec2(0, 1)), im(hi + vec2(0, 1)))) {
-      const std::string text = fmt::format("{}: {:.4g} to {:.4g} m", part.name, p.metres(part.from), p.metres(part.to));
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) &&
+        ImGui::IsMouseHoveringRect(im(lo - vec2(0, 1)), im(hi + vec2(0, 1)))) {
+      const std::string text =
+          fmt::format("{}: {:.4g} to {:.4g} m", part.name, p.metres(part.from), p.metres(part.to));
       tooltip(theme, text);
       editor.trace.note("scope volume", text);
     }
@@ -120,7 +126,8 @@ std::string valuesAt(const view::RayProbe& p, const RayScope& scope, double x) {
     const double mapped = interpolated(p.x, p.mapped, x);
     text += fmt::format("\nT {:.4f} by the map, {:+.4f}", mapped, mapped - exact);
   }
-  if (!scope.mutedT.empty()) text += fmt::format("\nT {:.4f} without what is muted", interpolated(p.x, scope.mutedT, x));
+  if (!scope.mutedT.empty())
+    text += fmt::format("\nT {:.4f} without what is muted", interpolated(p.x, scope.mutedT, x));
   if (hasMetric(p)) text += fmt::format("\ng {:.4f}", interpolated(p.x, p.u, x));
   return text;
 }
@@ -134,7 +141,8 @@ void hover(Editor& editor, const view::RayProbe& p, const Plot& plot) {
   editor.trace.note("scope hover", text);
 }
 
-void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, const std::vector<double>& metres, dvec2 range) {
+void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, const std::vector<double>& metres,
+                dvec2 range) {
   const Theme& theme = editor.theme;
   heading(editor, space, "g, the share of the metric in front");
   const Plot plot = plotIn(editor, space, 0.8f * space.unit, range, {0, 1.06});
@@ -145,7 +153,8 @@ void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, cons
     std::size_t j = i;
     while (j + 1 < u.size() && u[j + 1] - u[i] < 1e-6) ++j;
     if (j > i + 2 && u[i] > 1e-3 && u[i] < 1 - 1e-3)
-      plot.draw->AddRectFilled({std::max(plot.px(metres[i]), plot.lo.x), plot.lo.y}, {std::min(plot.px(metres[j]), plot.hi.x), plot.hi.y}, palette::kBand);
+      plot.draw->AddRectFilled({std::max(plot.px(metres[i]), plot.lo.x), plot.lo.y},
+                               {std::min(plot.px(metres[j]), plot.hi.x), plot.hi.y}, palette::kBand);
     i = j + 1;
   }
   plotLine(plot, metres, u, palette::kMetricSocket, 1.6f * theme.scale);
@@ -159,14 +168,20 @@ std::string termText(const view::RayProbe& p, std::size_t k) {
   const shadow::Basis basis = p.map->basis;
   if (basis == shadow::Basis::Slab) return fmt::format("slab {} of {}", k + 1, p.map->coefficients);
   if (basis == shadow::Basis::Piecewise) {
-    const auto count = static_cast<std::size_t>(std::max(shadow::pieceOf(p.taps.taps.front().metric, 0).count, 1));
+    const auto count =
+        static_cast<std::size_t>(std::max(shadow::pieceOf(p.taps.taps.front().metric, 0).count, 1));
     const std::size_t order = k / count;
-    return fmt::format("Interval {}, {}", k % count + 1, order == 0 ? "its optical depth" : fmt::format("cos({}\xcf\x80 v)", order == 1 ? "" : std::to_string(order)));
+    return fmt::format("Interval {}, {}", k % count + 1,
+                       order == 0
+                           ? "its optical depth"
+                           : fmt::format("cos({}\xcf\x80 v)", order == 1 ? "" : std::to_string(order)));
   }
   if (k == 0) return basis == shadow::Basis::Cosine ? "c0, the mean" : "a0, twice the mean";
-  if (basis == shadow::Basis::Cosine) return fmt::format("c{}, cos({}\xcf\x80 g)", k, k == 1 ? "" : std::to_string(k));
+  if (basis == shadow::Basis::Cosine)
+    return fmt::format("c{}, cos({}\xcf\x80 g)", k, k == 1 ? "" : std::to_string(k));
   const std::size_t n = (k + 1) / 2;
-  return k % 2 == 1 ? fmt::format("a{}, cos({}\xcf\x80 g)", n, 2 * n) : fmt::format("b{}, sin({}\xcf\x80 g)", n, 2 * n);
+  return k % 2 == 1 ? fmt::format("a{}, cos({}\xcf\x80 g)", n, 2 * n)
+                    : fmt::format("b{}, sin({}\xcf\x80 g)", n, 2 * n);
 }
 
 }  // namespace
@@ -201,9 +216,12 @@ void drawTransmittance(Editor& editor, ChartSpace& space) {
   plotLine(plot, metres, scope.mutedT, palette::kSelect, 1.6f * theme.scale);
   if (deep(p))
     for (const shadow::DeepVertex& v : p.taps.vertices)
-      if (v.x >= 0 && v.x <= 1 && p.metres(v.x) >= range.x && p.metres(v.x) <= range.y) plotDot(plot, p.metres(v.x), v.transmittance, palette::kAccent, theme.px(2));
+      if (v.x >= 0 && v.x <= 1 && p.metres(v.x) >= range.x && p.metres(v.x) <= range.y)
+        plotDot(plot, p.metres(v.x), v.transmittance, palette::kAccent, theme.px(2));
   plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.exact, p.pointX), palette::kExact, theme.px(3.5f));
-  if (!p.mapped.empty()) plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.mapped, p.pointX), palette::kAccent, theme.px(3.5f));
+  if (!p.mapped.empty())
+    plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.mapped, p.pointX), palette::kAccent,
+            theme.px(3.5f));
   hover(editor, p, plot);
   editor.trace.rect("scope/transmittance", im(plot.lo), im(plot.hi));
   space.y = plot.hi.y + theme.small->FontSize + theme.px(6);
@@ -219,8 +237,10 @@ void drawExtinction(Editor& editor, ChartSpace& space) {
   if (e.exact.empty()) return;
   const bool muted = !editor.scope.mutedT.empty();
   std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kGhost}};
-  if (!e.mapped.empty()) keys.push_back({muted ? "muted" : "series", muted ? palette::kSelect : palette::kAccent});
-  heading(editor, space, hasMetric(p) ? "Extinction over g, d\xcf\x84/dg" : "Extinction over x, d\xcf\x84/dx", keys);
+  if (!e.mapped.empty())
+    keys.push_back({muted ? "muted" : "series", muted ? palette::kSelect : palette::kAccent});
+  heading(editor, space, hasMetric(p) ? "Extinction over g, d\xcf\x84/dg" : "Extinction over x, d\xcf\x84/dx",
+          keys);
   double lo = 0, hi = 1e-6;
   for (const auto* values : {&e.exact, &e.mapped})
     for (const double v : *values) lo = std::min(lo, v), hi = std::max(hi, v);
@@ -244,7 +264,8 @@ void drawExtinction(Editor& editor, ChartSpace& space) {
   if (plot.hovered()) {
     const double u = plot.xAt(ImGui::GetIO().MousePos.x);
     plotVertical(plot, u, palette::kTextFaint, false);
-    std::string text = fmt::format("{} {:.4f}\n{:.4g} exact", hasMetric(p) ? "g" : "x", u, interpolated(e.u, e.exact, u));
+    std::string text =
+        fmt::format("{} {:.4f}\n{:.4g} exact", hasMetric(p) ? "g" : "x", u, interpolated(e.u, e.exact, u));
     if (!e.mapped.empty()) text += fmt::format("\n{:.4g} by the series", interpolated(e.u, e.mapped, u));
     tooltip(theme, text);
   }
@@ -264,9 +285,11 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
     const float w = textWidth(theme.small, text);
     const vec2 at(space.right - w, space.y - theme.small->FontSize - theme.px(5));
     ImGui::SetCursorScreenPos(im(at));
-    if (ImGui::InvisibleButton("unmute", {w, theme.small->FontSize})) std::fill(scope.muted.begin(), scope.muted.end(), 0);
+    if (ImGui::InvisibleButton("unmute", {w, theme.small->FontSize}))
+      std::fill(scope.muted.begin(), scope.muted.end(), 0);
     editor.trace.item("scope/unmute");
-    drawText(ImGui::GetWindowDrawList(), theme.small, at, ImGui::IsItemHovered() ? palette::kText : palette::kAccent, text, w + 1);
+    drawText(ImGui::GetWindowDrawList(), theme.small, at,
+             ImGui::IsItemHovered() ? palette::kText : palette::kAccent, text, w + 1);
   }
   double lo = 0, hi = 1e-9;
   for (const double v : c) lo = std::min(lo, v), hi = std::max(hi, v);
@@ -277,10 +300,12 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
   const float zero = std::round(plot.py(0)), gap = n > 16 ? 1.0f : theme.px(2);
   plot.draw->AddLine({plot.lo.x, zero}, {plot.hi.x, zero}, palette::kLine);
   for (std::size_t k = 0; k < c.size(); ++k) {
-    const float x0 = plot.px(static_cast<double>(k)) + gap, x1 = plot.px(static_cast<double>(k) + 1) - gap, y = plot.py(c[k]);
+    const float x0 = plot.px(static_cast<double>(k)) + gap, x1 = plot.px(static_cast<double>(k) + 1) - gap,
+                y = plot.py(c[k]);
     ImGui::SetCursorScreenPos({x0 - gap, plot.lo.y});
     ImGui::PushID(static_cast<int>(k));
-    if (ImGui::InvisibleButton("bar", {x1 - x0 + 2 * gap, plot.hi.y - plot.lo.y})) scope.muted[k] = scope.muted[k] ? 0 : 1;
+    if (ImGui::InvisibleButton("bar", {x1 - x0 + 2 * gap, plot.hi.y - plot.lo.y}))
+      scope.muted[k] = scope.muted[k] ? 0 : 1;
     ImGui::PopID();
     editor.trace.item(fmt::format("scope/coefficient/{}", k));
     const bool hovered = ImGui::IsItemHovered();
@@ -288,9 +313,12 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
     if (scope.muted[k])
       plot.draw->AddRect(im(from), im(to), palette::kTextFaint, theme.px(1.5f));
     else
-      plot.draw->AddRectFilled(im(from), im(to), hovered ? mixed(palette::kAccent, palette::kHighlight, 0.3f) : palette::kAccent, theme.px(1.5f));
+      plot.draw->AddRectFilled(
+          im(from), im(to), hovered ? mixed(palette::kAccent, palette::kHighlight, 0.3f) : palette::kAccent,
+          theme.px(1.5f));
     if (hovered)
-      tooltip(theme, fmt::format("{}\n{:.5g}\nClick to {}", termText(p, k), c[k], scope.muted[k] ? "unmute" : "mute"));
+      tooltip(theme, fmt::format("{}\n{:.5g}\nClick to {}", termText(p, k), c[k],
+                                 scope.muted[k] ? "unmute" : "mute"));
   }
   space.y = plot.hi.y + theme.space(2);
 }

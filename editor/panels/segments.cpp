@@ -15,10 +15,16 @@ bool segment(Editor& editor, const std::string& trace, std::string_view label, s
                               : last        ? ImDrawFlags_RoundCornersRight
                                             : ImDrawFlags_RoundCornersNone;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(at, end, on ? palette::kAccentDim : hovered ? palette::kFieldHover : palette::kField,
+  draw->AddRectFilled(at, end,
+                      on        ? palette::kAccentDim
+                      : hovered ? palette::kFieldHover
+                                : palette::kField,
                       theme.px(4), corners);
   drawText(draw, theme.body, {at.x + theme.space(3), at.y + 0.5f * (height - theme.body->FontSize)},
-           on ? palette::kTextStrong : hovered ? palette::kText : palette::kTextDim, label, width);
+           on        ? palette::kTextStrong
+           : hovered ? palette::kText
+                     : palette::kTextDim,
+           label, width);
   if (hovered && !help.empty()) tooltip(theme, help);
   return clicked;
 }

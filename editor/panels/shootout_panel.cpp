@@ -26,8 +26,12 @@ struct Column {
   std::string (*text)(double);
 };
 
-std::string small(double v) { return v == 0 ? "0" : v < 1e-3 ? fmt::format("{:.1e}", v) : fmt::format("{:.4f}", v); }
-std::string plain(double v) { return v >= 100 ? fmt::format("{:.0f}", v) : v >= 10 ? fmt::format("{:.1f}", v) : fmt::format("{:.2f}", v); }
+std::string small(double v) {
+  return v == 0 ? "0" : v < 1e-3 ? fmt::format("{:.1e}", v) : fmt::format("{:.4f}", v);
+}
+std::string plain(double v) {
+  return v >= 100 ? fmt::format("{:.0f}", v) : v >= 10 ? fmt::format("{:.1f}", v) : fmt::format("{:.2f}", v);
+}
 
 double lookups(const view::ShootoutEntry& e) {
   double ns = 0;
@@ -46,7 +50,8 @@ const Column kColumns[] = {
     {"build ms", 78, [](const view::ShootoutEntry& e) { return e.buildMs(); }, plain},
     {"ns/lookup", 82, lookups, plain},
     {"bytes/texel", 90, [](const view::ShootoutEntry& e) { return e.worst().bytesPerTexel; }, plain},
-    {"MiB", 70, [](const view::ShootoutEntry& e) { return static_cast<double>(e.bytes()) / (1 << 20); }, plain},
+    {"MiB", 70, [](const view::ShootoutEntry& e) { return static_cast<double>(e.bytes()) / (1 << 20); },
+     plain},
 };
 
 gl::Texture upload(ivec2 size, const std::vector<float>& rgba) {
@@ -59,9 +64,11 @@ gl::Texture upload(ivec2 size, const std::vector<float>& rgba) {
 /// Full colour at a quarter of the truth's 99th percentile: the same for all.
 double errorScale(const image::Image& truth) {
   std::vector<float> brightness;
-  for (std::size_t i = 0; i + 3 < truth.layers[0].pixels.size(); i += 4) brightness.push_back(truth.layers[0].pixels[i + 1]);
+  for (std::size_t i = 0; i + 3 < truth.layers[0].pixels.size(); i += 4)
+    brightness.push_back(truth.layers[0].pixels[i + 1]);
   if (brightness.empty()) return 1;
-  const auto at = brightness.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(brightness.size() - 1));
+  const auto at =
+      brightness.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(brightness.size() - 1));
   std::nth_element(brightness.begin(), at, brightness.end());
   return std::max(0.25 * static_cast<double>(*at), 1e-9);
 }
@@ -78,7 +85,9 @@ void takePictures(ShootoutPanel& panel) {
     const double scale = errorScale(truth);
     std::vector<float> error(a.size(), 1.0f);
     for (std::size_t i = 0; i + 3 < std::min(a.size(), b.size()); i += 4) {
-      const double d = 0.2722287 * static_cast<double>(a[i] - b[i]) + 0.6740818 * static_cast<double>(a[i + 1] - b[i + 1]) + 0.0536895 * static_cast<double>(a[i + 2] - b[i + 2]);
+      const double d = 0.2722287 * static_cast<double>(a[i] - b[i]) +
+                       0.6740818 * static_cast<double>(a[i + 1] - b[i + 1]) +
+                       0.0536895 * static_cast<double>(a[i + 2] - b[i + 2]);
       const vec3 c = view::falseColour(d / scale);
       for (int k = 0; k < 3; ++k) error[i + static_cast<std::size_t>(k)] = c[k];
     }
@@ -87,13 +96,17 @@ void takePictures(ShootoutPanel& panel) {
   }
 }
 
-ImTextureID textureId(unsigned texture) { return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)); }
+ImTextureID textureId(unsigned texture) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
 
 /// The picture through the viewport's display transform; small, so it is drawn anew each frame it is seen.
 unsigned shown(Editor& editor, std::size_t entry, ivec2 size, int offset) {
   const gl::Texture& picture = editor.lab.shootout.pictures[entry].picture;
   if (!picture || !editor.viewport.colors) return 0;
-  const auto texture = editor.viewport.display.draw(picture, ivec2(picture.size()), size, *editor.viewport.colors, displaySettings(editor), kFirstSlot + 2 * static_cast<int>(entry) + offset);
+  const auto texture = editor.viewport.display.draw(picture, ivec2(picture.size()), size,
+                                                    *editor.viewport.colors, displaySettings(editor),
+                                                    kFirstSlot + 2 * static_cast<int>(entry) + offset);
   return texture ? *texture : 0;
 }
 
@@ -114,8 +127,10 @@ void drawLarge(Editor& editor, const view::ShootoutEntry& e, std::size_t index) 
   }
   ImGui::PushFont(theme.small);
   for (const view::ShadowMeasure& m : e.lights)
-    ImGui::TextDisabled("%s", fmt::format("{}{}, {} texels: mean {}, 95 % {}, max {}", e.lights.size() > 1 ? fmt::format("Light {}: ", m.light + 1) : "", shadow::describe(m.spec),
-                                          shadow::resolutionOf(m.spec), small(m.error.mean), small(m.error.p95), small(m.error.maximum))
+    ImGui::TextDisabled("%s", fmt::format("{}{}, {} texels: mean {}, 95 % {}, max {}",
+                                          e.lights.size() > 1 ? fmt::format("Light {}: ", m.light + 1) : "",
+                                          shadow::describe(m.spec), shadow::resolutionOf(m.spec),
+                                          small(m.error.mean), small(m.error.p95), small(m.error.maximum))
                                   .c_str());
   ImGui::PopFont();
   ImGui::EndTooltip();
@@ -124,29 +139,38 @@ void drawLarge(Editor& editor, const view::ShootoutEntry& e, std::size_t index) 
 /// Entries in the order of the table: the truth first.
 std::vector<std::size_t> orderOf(const ShootoutPanel& panel) {
   const std::vector<view::ShootoutEntry>& entries = panel.run->entries();
-  const view::ShootoutGroup wanted = panel.show == ShootoutShow::Defaults ? view::ShootoutGroup::Defaults : view::ShootoutGroup::EqualMemory;
+  const view::ShootoutGroup wanted =
+      panel.show == ShootoutShow::Defaults ? view::ShootoutGroup::Defaults : view::ShootoutGroup::EqualMemory;
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < std::min(entries.size(), panel.pictures.size()); ++i)
     if (entries[i].group == wanted) order.push_back(i);
-  const Column& column = kColumns[static_cast<std::size_t>(std::clamp(panel.column, 0, static_cast<int>(std::size(kColumns)) - 1))];
+  const Column& column = kColumns[static_cast<std::size_t>(
+      std::clamp(panel.column, 0, static_cast<int>(std::size(kColumns)) - 1))];
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const auto less = [&](std::size_t x, std::size_t y) {
-      return column.value ? column.value(entries[x]) < column.value(entries[y]) : panel.column == kNameColumn && x < y;
+      return column.value ? column.value(entries[x]) < column.value(entries[y])
+                          : panel.column == kNameColumn && x < y;
     };
     return panel.descending ? less(b, a) : less(a, b);
   });
-  if (!entries.empty() && entries.front().group == view::ShootoutGroup::Truth && !panel.pictures.empty()) order.insert(order.begin(), 0);
+  if (!entries.empty() && entries.front().group == view::ShootoutGroup::Truth && !panel.pictures.empty())
+    order.insert(order.begin(), 0);
   return order;
 }
 
-void drawCells(Editor& editor, const view::ShootoutEntry& e, std::size_t index, float height, const std::vector<double>& best) {
+void drawCells(Editor& editor, const view::ShootoutEntry& e, std::size_t index, float height,
+               const std::vector<double>& best) {
   const Theme& theme = editor.theme;
   const bool truth = e.group == view::ShootoutGroup::Truth;
   ImGui::TableNextColumn();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float aspect = editor.lab.shootout.pictures[index].picture ? static_cast<float>(e.picture.size.x) / static_cast<float>(std::max(e.picture.size.y, 1)) : 1.78f;
+  const float aspect =
+      editor.lab.shootout.pictures[index].picture
+          ? static_cast<float>(e.picture.size.x) / static_cast<float>(std::max(e.picture.size.y, 1))
+          : 1.78f;
   const vec2 thumb(std::min(height * aspect, theme.px(58)), height);
-  if (const unsigned t = shown(editor, index, ivec2(thumb), 0)) ImGui::GetWindowDrawList()->AddImage(textureId(t), at, {at.x + thumb.x, at.y + thumb.y});
+  if (const unsigned t = shown(editor, index, ivec2(thumb), 0))
+    ImGui::GetWindowDrawList()->AddImage(textureId(t), at, {at.x + thumb.x, at.y + thumb.y});
   ImGui::Dummy(im(thumb));
   const float down = 0.5f * (height - theme.body->FontSize);
   ImGui::TableNextColumn();
@@ -161,7 +185,8 @@ void drawCells(Editor& editor, const view::ShootoutEntry& e, std::size_t index, 
     const std::string text = kColumns[c].text(value);
     const float w = textWidth(theme.body, text), room = ImGui::GetContentRegionAvail().x;
     const ImVec2 cell = ImGui::GetCursorScreenPos();
-    drawText(ImGui::GetWindowDrawList(), theme.body, {cell.x + room - w, cell.y + down}, !truth && value <= best[c] ? palette::kGood : palette::kText, text, w + 1);
+    drawText(ImGui::GetWindowDrawList(), theme.body, {cell.x + room - w, cell.y + down},
+             !truth && value <= best[c] ? palette::kGood : palette::kText, text, w + 1);
   }
 }
 
@@ -169,7 +194,9 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
   const Theme& theme = editor.theme;
   ShootoutPanel& panel = editor.lab.shootout;
   ImGui::SetCursorScreenPos(im(lo));
-  const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
+  const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_BordersInnerH |
+                                ImGuiTableFlags_PadOuterX;
   ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette::kBar);
   ImGui::PushStyleColor(ImGuiCol_TableBorderStrong, palette::kLine);
   const bool open = ImGui::BeginTable("shootout", static_cast<int>(std::size(kColumns)), flags, im(hi - lo));
@@ -178,7 +205,8 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
   ImGui::TableSetupScrollFreeze(0, 1);
   for (std::size_t c = 0; c < std::size(kColumns); ++c) {
     const Column& column = kColumns[c];
-    ImGuiTableColumnFlags f = c == 0 ? ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort : ImGuiTableColumnFlags_WidthStretch;
+    ImGuiTableColumnFlags f = c == 0 ? ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort
+                                     : ImGuiTableColumnFlags_WidthStretch;
     if (c == 2) f |= ImGuiTableColumnFlags_DefaultSort;
     ImGui::TableSetupColumn(column.name, f, c == 0 ? theme.px(column.width) : column.width);
   }
@@ -189,15 +217,20 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
     // Over figures names stand at the right, as they do.
     const std::string name = kColumns[static_cast<std::size_t>(c)].name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x - (c == panel.column ? theme.px(18) : 0), w = textWidth(theme.small, name);
+    const float room = ImGui::GetContentRegionAvail().x - (c == panel.column ? theme.px(18) : 0),
+                w = textWidth(theme.small, name);
     ImGui::TableHeader("##header");
     editor.trace.item(fmt::format("shootout/column/{}", c));
-    drawText(ImGui::GetWindowDrawList(), theme.small, {c > kNameColumn ? at.x + std::max(room - w, 0.0f) : at.x, at.y + 0.5f * (theme.body->FontSize - theme.small->FontSize)},
+    drawText(ImGui::GetWindowDrawList(), theme.small,
+             {c > kNameColumn ? at.x + std::max(room - w, 0.0f) : at.x,
+              at.y + 0.5f * (theme.body->FontSize - theme.small->FontSize)},
              c == panel.column ? palette::kText : palette::kTextDim, name, w + 1);
     ImGui::PopID();
   }
   if (ImGuiTableSortSpecs* sort = ImGui::TableGetSortSpecs(); sort && sort->SpecsDirty) {
-    if (sort->SpecsCount > 0) panel.column = sort->Specs[0].ColumnIndex, panel.descending = sort->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+    if (sort->SpecsCount > 0)
+      panel.column = sort->Specs[0].ColumnIndex,
+      panel.descending = sort->Specs[0].SortDirection == ImGuiSortDirection_Descending;
     sort->SpecsDirty = false;
   }
   const std::vector<view::ShootoutEntry>& entries = panel.run->entries();
@@ -205,7 +238,8 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
   std::vector<double> best(std::size(kColumns), std::numeric_limits<double>::infinity());
   for (const std::size_t i : order)
     for (std::size_t c = kNameColumn + 1; c < std::size(kColumns); ++c)
-      if (entries[i].group != view::ShootoutGroup::Truth) best[c] = std::min(best[c], kColumns[c].value(entries[i]));
+      if (entries[i].group != view::ShootoutGroup::Truth)
+        best[c] = std::min(best[c], kColumns[c].value(entries[i]));
   const float height = theme.px(32);
   std::string names;
   for (const std::size_t i : order) {
@@ -214,7 +248,9 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
     drawCells(editor, entries[i], i, height, best);
     names += entries[i].name + "\n";
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ImGui::IsWindowHovered() && mouse.y >= top && mouse.y < top + height + theme.px(6) && mouse.x > lo.x && mouse.x < lo.x + theme.px(330)) drawLarge(editor, entries[i], i);
+    if (ImGui::IsWindowHovered() && mouse.y >= top && mouse.y < top + height + theme.px(6) &&
+        mouse.x > lo.x && mouse.x < lo.x + theme.px(330))
+      drawLarge(editor, entries[i], i);
     editor.trace.rect(fmt::format("shootout/row/{}", entries[i].name), {lo.x, top}, {hi.x, top + height});
   }
   editor.trace.note("shootout rows", names);
@@ -270,20 +306,28 @@ void drawShootout(Editor& editor, float right, vec2 lo, vec2 hi) {
   segments(editor, "shootout/show", panel.show);
   ImGui::SameLine(0, theme.space(4));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const RunClick click = runRow(editor, "shootout", "Run", panel.running, ready(editor), panel.fraction, panel.run ? panel.run->doing() : "", right - at.x - theme.space(2));
+  const RunClick click = runRow(editor, "shootout", "Run", panel.running, ready(editor), panel.fraction,
+                                panel.run ? panel.run->doing() : "", right - at.x - theme.space(2));
   if (click == RunClick::Start) startShootout(editor);
   if (click == RunClick::Stop) stopShootout(editor);
   const auto& picture = editor.preview.picture();
   std::string note = panel.error;
-  if (note.empty() && panel.run && !panel.running && picture && picture->scene != panel.scene) note = "Measured on an earlier state of the scene.";
+  if (note.empty() && panel.run && !panel.running && picture && picture->scene != panel.scene)
+    note = "Measured on an earlier state of the scene.";
   if (!panel.running && !note.empty())
-    drawText(draw, theme.small, {at.x + theme.px(84) + theme.space(3), at.y + 0.5f * (ImGui::GetFrameHeight() - theme.small->FontSize)}, panel.error.empty() ? palette::kTextDim : palette::kError, note,
+    drawText(draw, theme.small,
+             {at.x + theme.px(84) + theme.space(3),
+              at.y + 0.5f * (ImGui::GetFrameHeight() - theme.small->FontSize)},
+             panel.error.empty() ? palette::kTextDim : palette::kError, note,
              std::max(right - at.x - theme.px(100), 1.0f));
   editor.trace.note("shootout note", note);
   if (!panel.run)
     drawText(draw, theme.body, {lo.x + theme.space(3), lo.y + theme.space(2)}, palette::kTextDim,
-             "Builds every shadow representation for this picture's lights, and measures error against exact transmittance, time and memory.", hi.x - lo.x - theme.space(6));
-  if (panel.run && !panel.pictures.empty()) drawTable(editor, {lo.x + theme.space(2), lo.y}, hi - vec2(theme.space(2), theme.space(1)));
+             "Builds every shadow representation for this picture's lights, and measures error against exact "
+             "transmittance, time and memory.",
+             hi.x - lo.x - theme.space(6));
+  if (panel.run && !panel.pictures.empty())
+    drawTable(editor, {lo.x + theme.space(2), lo.y}, hi - vec2(theme.space(2), theme.space(1)));
 }
 
 }  // namespace pileus::editor

@@ -15,9 +15,10 @@ struct Editor;
 enum class ShootoutShow { Defaults, EqualMemory };
 constexpr auto enumInfo(ShootoutShow*) {
   using S = ShootoutShow;
-  return std::array{
-      EnumItem<S>{S::Defaults, "defaults", "Defaults", "Each with its usual parameters, all at one resolution"},
-      EnumItem<S>{S::EqualMemory, "equal", "Equal memory", "Resolutions chosen so that every map takes the same bytes"}};
+  return std::array{EnumItem<S>{S::Defaults, "defaults", "Defaults",
+                                "Each with its usual parameters, all at one resolution"},
+                    EnumItem<S>{S::EqualMemory, "equal", "Equal memory",
+                                "Resolutions chosen so that every map takes the same bytes"}};
 }
 
 struct ShootoutPanel {
@@ -27,7 +28,7 @@ struct ShootoutPanel {
   std::string error;
   std::shared_ptr<const view::RenderScene> scene;  ///< what was measured
   ShootoutShow show = ShootoutShow::Defaults;
-  int column = 1;        ///< the table is sorted by
+  int column = 1;  ///< the table is sorted by
   bool descending = false;
 
   /// The pictures of an entry on the GPU: as rendered, and its error in false colours.

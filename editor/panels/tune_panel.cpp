@@ -22,7 +22,8 @@ using view::TuneCandidate;
 std::vector<nodes::ShadowGroup> groupsOf(const Editor& editor) {
   const auto& picture = editor.preview.picture();
   if (!picture || !picture->scene || editor.preview.draft()) return {};
-  return nodes::shadowGroups(editor.document.root(), cameraUser(editor, shownView(editor)), 1, *picture->scene);
+  return nodes::shadowGroups(editor.document.root(), cameraUser(editor, shownView(editor)), 1,
+                             *picture->scene);
 }
 
 std::string groupName(const nodes::ShadowGroup& group) {
@@ -52,7 +53,8 @@ void chooseGoal(Editor& editor, float width) {
   ImGui::BeginDisabled(panel.running);
   if (beginCombo(theme, "##bound", kNames[at], width * 0.58f)) {
     for (const auto& item : enumInfo(static_cast<TuneBound*>(nullptr))) {
-      if (ImGui::Selectable(kNames[static_cast<std::size_t>(item.value)], item.value == panel.goal.bound)) panel.goal.bound = item.value;
+      if (ImGui::Selectable(kNames[static_cast<std::size_t>(item.value)], item.value == panel.goal.bound))
+        panel.goal.bound = item.value;
       editor.trace.item("tune/bound/" + std::string(item.id));
       if (ImGui::IsItemHovered()) tooltip(theme, item.help);
     }
@@ -62,11 +64,14 @@ void chooseGoal(Editor& editor, float width) {
   ImGui::SameLine();
   NumberField field;
   field.softMin = panel.goal.bound == TuneBound::P95 ? 0.001 : 0.1;
-  field.softMax = panel.goal.bound == TuneBound::P95 ? 0.5 : panel.goal.bound == TuneBound::Milliseconds ? 1000 : 1024;
+  field.softMax = panel.goal.bound == TuneBound::P95            ? 0.5
+                  : panel.goal.bound == TuneBound::Milliseconds ? 1000
+                                                                : 1024;
   field.hardMin = 1e-6, field.hardMax = 1e6;
   field.logarithmic = true;
   field.unit = kUnits[at];
-  numberField(editor.parameters.numbers, theme, "##limit", panel.limits[at], field, width * 0.42f - theme.space(2));
+  numberField(editor.parameters.numbers, theme, "##limit", panel.limits[at], field,
+              width * 0.42f - theme.space(2));
   editor.trace.item("tune/limit");
   ImGui::EndDisabled();
   panel.goal.limit = panel.limits[static_cast<std::size_t>(panel.goal.bound)];
@@ -100,14 +105,19 @@ void drawCandidate(Editor& editor, vec2 at, float width) {
   if (!c) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const bool met = view::meets(*c, panel.goal);
-  const std::string head = panel.chosen ? "Chosen" : panel.running ? "Best so far" : met ? "Best" : "Nearest: the bound cannot be met";
+  const std::string head = panel.chosen    ? "Chosen"
+                           : panel.running ? "Best so far"
+                           : met           ? "Best"
+                                           : "Nearest: the bound cannot be met";
   drawText(draw, theme.small, at, met ? palette::kGood : palette::kWarning, head, width);
   at.y += theme.small->FontSize + theme.px(4);
-  const std::string what = fmt::format("{}, {} texels", shadow::describe(c->spec), shadow::resolutionOf(c->spec));
+  const std::string what =
+      fmt::format("{}, {} texels", shadow::describe(c->spec), shadow::resolutionOf(c->spec));
   const ImVec2 size = theme.body->CalcTextSizeA(theme.body->FontSize, FLT_MAX, width, what.c_str());
   draw->AddText(theme.body, theme.body->FontSize, im(at), palette::kText, what.c_str(), nullptr, width);
   at.y += size.y + theme.px(4);
-  const std::string figures = fmt::format("95 % {:.4f}   mean {:.4f}   {:.3g} MiB   {:.3g} ms", c->p95, c->mean, mebibytes(*c), c->ms());
+  const std::string figures = fmt::format("95 % {:.4f}   mean {:.4f}   {:.3g} MiB   {:.3g} ms", c->p95,
+                                          c->mean, mebibytes(*c), c->ms());
   drawText(draw, theme.small, at, palette::kTextDim, figures, width);
   at.y += theme.small->FontSize + theme.space(2);
   editor.trace.note("tune head", head);
@@ -116,7 +126,8 @@ void drawCandidate(Editor& editor, vec2 at, float width) {
   ImGui::SetCursorScreenPos(im(at));
   if (ImGui::Button("Write into nodes", {theme.px(150), 0})) writeChoice(editor, *c);
   editor.trace.item("tune/write");
-  if (ImGui::IsItemHovered()) tooltip(theme, "Sets these parameters in " + groupName(panel.tuned) + ", as one undo step");
+  if (ImGui::IsItemHovered())
+    tooltip(theme, "Sets these parameters in " + groupName(panel.tuned) + ", as one undo step");
   if (panel.chosen) {
     ImGui::SameLine();
     if (ImGui::Button("Back to best")) panel.chosen.reset();
@@ -125,8 +136,10 @@ void drawCandidate(Editor& editor, vec2 at, float width) {
 }
 
 std::string dotText(const TuneCandidate& c) {
-  return fmt::format("{}, {} texels\n95 % {:.4f}, mean {:.4f}, {:.3g} MiB\nbuild {:.3g} ms, {:.3g} ns a lookup", shadow::describe(c.spec), shadow::resolutionOf(c.spec), c.p95, c.mean, mebibytes(c),
-                     c.buildMs, c.nsPerLookup);
+  return fmt::format(
+      "{}, {} texels\n95 % {:.4f}, mean {:.4f}, {:.3g} MiB\nbuild {:.3g} ms, {:.3g} ns a lookup",
+      shadow::describe(c.spec), shadow::resolutionOf(c.spec), c.p95, c.mean, mebibytes(c), c.buildMs,
+      c.nsPerLookup);
 }
 
 /// Ranges that hold all that was measured and the bound.
@@ -155,7 +168,8 @@ void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
   const std::vector<TuneCandidate>& all = panel.run->measured();
   if (all.empty() || hi.x - lo.x < theme.px(200) || hi.y - lo.y < theme.px(90)) return;
   const Plot plot = plotOf(editor, lo, hi, all);
-  drawText(plot.draw, theme.small, {lo.x + theme.px(4), lo.y}, palette::kTextDim, "95 % of |\xce\x94T| over memory, log axes: every dot was built and measured", hi.x - lo.x);
+  drawText(plot.draw, theme.small, {lo.x + theme.px(4), lo.y}, palette::kTextDim,
+           "95 % of |\xce\x94T| over memory, log axes: every dot was built and measured", hi.x - lo.x);
   plotFrame(plot, AxisX::Labels, "MiB");
   const ImU32 goalColor = faded(palette::kGood, 0.7f);
   if (panel.goal.bound == TuneBound::P95) {
@@ -169,7 +183,8 @@ void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
     plot.draw->AddLine({x, plot.lo.y}, {x, plot.hi.y}, goalColor);
   }
   std::vector<double> bytes, errors;
-  for (const TuneCandidate& c : panel.run->curve()) bytes.push_back(mebibytes(c)), errors.push_back(std::max(c.p95, 1e-5));
+  for (const TuneCandidate& c : panel.run->curve())
+    bytes.push_back(mebibytes(c)), errors.push_back(std::max(c.p95, 1e-5));
   plotLine(plot, bytes, errors, palette::kAccent, 1.6f * theme.scale);
   const auto shown = candidate(panel);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -178,8 +193,10 @@ void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const TuneCandidate& c = all[i];
     const vec2 at = plot.at(mebibytes(c), std::max(c.p95, 1e-5));
-    const bool onCurve = std::find(bytes.begin(), bytes.end(), mebibytes(c)) != bytes.end() && std::find(errors.begin(), errors.end(), std::max(c.p95, 1e-5)) != errors.end();
-    plotDot(plot, mebibytes(c), std::max(c.p95, 1e-5), onCurve ? palette::kAccent : palette::kTextFaint, theme.px(onCurve ? 4 : 3));
+    const bool onCurve = std::find(bytes.begin(), bytes.end(), mebibytes(c)) != bytes.end() &&
+                         std::find(errors.begin(), errors.end(), std::max(c.p95, 1e-5)) != errors.end();
+    plotDot(plot, mebibytes(c), std::max(c.p95, 1e-5), onCurve ? palette::kAccent : palette::kTextFaint,
+            theme.px(onCurve ? 4 : 3));
     editor.trace.rect(fmt::format("tune/dot/{}", i), im(at - theme.px(3)), im(at + theme.px(3)));
     const float distance = glm::length(vec(mouse) - at);
     if (plot.hovered() && distance < nearest) nearest = distance, near = &c;
@@ -190,7 +207,8 @@ void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
     plot.draw->AddCircle(im(at), theme.px(8), palette::kSelect, 0, 1.5f * theme.scale);
   }
   if (near) {
-    plot.draw->AddCircle(im(plot.at(mebibytes(*near), std::max(near->p95, 1e-5))), theme.px(7), palette::kText, 0, 1.5f * theme.scale);
+    plot.draw->AddCircle(im(plot.at(mebibytes(*near), std::max(near->p95, 1e-5))), theme.px(7),
+                         palette::kText, 0, 1.5f * theme.scale);
     tooltip(theme, dotText(*near));
     if (ImGui::IsMouseClicked(0)) panel.chosen = near->spec;
   }
@@ -212,7 +230,8 @@ void startTune(Editor& editor) {
   view::TuneOptions options;
   options.points.count = 6000;
   if (editor.renderer->device().software) options.maxResolution = 1024;
-  panel.run = std::make_unique<view::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal, options);
+  panel.run =
+      std::make_unique<view::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal, options);
   panel.running = true;
 }
 
@@ -240,17 +259,23 @@ void drawTune(Editor& editor, vec2 lo, vec2 hi) {
   ImGui::BeginGroup();
   chooseGroup(editor, groups, width);
   chooseGoal(editor, width);
-  const RunClick click = runRow(editor, "tune", "Tune", panel.running, !groups.empty(), panel.fraction, panel.run ? panel.run->doing() : "", width);
+  const RunClick click = runRow(editor, "tune", "Tune", panel.running, !groups.empty(), panel.fraction,
+                                panel.run ? panel.run->doing() : "", width);
   ImGui::EndGroup();
   const float below = ImGui::GetItemRectMax().y + theme.space(3);
   if (click == RunClick::Start) startTune(editor);
   if (click == RunClick::Stop) stopTune(editor);
   std::string note = panel.error;
   if (note.empty() && !panel.run)
-    note = groups.empty() ? (editor.preview.settled() ? "No light of this picture has a shadow map that could be tuned." : "Waits for the picture.")
-                          : "Searches the parameters of " + groupName(groups[std::min(panel.group, groups.size() - 1)]) + " that keep the bound most cheaply.";
+    note = groups.empty()
+               ? (editor.preview.settled() ? "No light of this picture has a shadow map that could be tuned."
+                                           : "Waits for the picture.")
+               : "Searches the parameters of " + groupName(groups[std::min(panel.group, groups.size() - 1)]) +
+                     " that keep the bound most cheaply.";
   if (!note.empty())
-    ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize, {lo.x + theme.space(2), below}, panel.error.empty() ? palette::kTextDim : palette::kError, note.c_str(), nullptr, width);
+    ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize, {lo.x + theme.space(2), below},
+                                        panel.error.empty() ? palette::kTextDim : palette::kError,
+                                        note.c_str(), nullptr, width);
   editor.trace.note("tune note", note);
   if (!panel.run) return;
   if (panel.error.empty()) drawCandidate(editor, {lo.x + theme.space(2), below}, width);

@@ -1,6 +1,6 @@
 #pragma once
-// Searches the cheapest shadow parameters that keep a bound, shows what was tried as a curve, and writes a choice
-// into the nodes.
+// Searches the cheapest shadow parameters that keep a bound, shows what was tried as a curve, and writes a
+// choice into the nodes.
 #include <memory>
 #include <optional>
 #include <string>

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "editor/editor.h"
-#include "editor/viewport/corner_widgets.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/icons.h"
 #include "editor/panels/compare_bar.h"
@@ -16,6 +15,7 @@
 #include "editor/panels/region_view.h"
 #include "editor/panels/viewport_bar.h"
 #include "editor/panels/viewport_camera.h"
+#include "editor/viewport/corner_widgets.h"
 #include "editor/widgets.h"
 #include "renderer/view/picture.h"
 
@@ -47,7 +47,9 @@ void updateColors(Editor& editor) {
     viewport.colorError = config.error().message;
     config = wanted.empty() ? image::ColorConfig::shipped() : image::ColorConfig::load("");
     if (!config) config = image::ColorConfig::shipped();
-    editor.messages.error(config ? fmt::format("{}; shown with {} instead", viewport.colorError, (*config)->description()) : viewport.colorError);
+    editor.messages.error(
+        config ? fmt::format("{}; shown with {} instead", viewport.colorError, (*config)->description())
+               : viewport.colorError);
   }
   viewport.colors = config ? *config : nullptr;
 }
@@ -132,7 +134,9 @@ void drawPictureNotes(Editor& editor, vec2 lo, vec2 hi) {
   vec2 at(lo.x + theme.space(2), hi.y - theme.space(2) - theme.small->FontSize - theme.px(8));
   if (picture && picture->layer.kind == view::PictureLayer::Kind::Depth && viewport.mode.scan.result()) {
     const vec2 range = viewport.mode.scan.result()->depth;
-    const std::string text = range.y > range.x ? fmt::format("Depth {:.4g} (white) to {:.4g} m (dark)", range.x, range.y) : "Depth: nothing there";
+    const std::string text = range.y > range.x
+                                 ? fmt::format("Depth {:.4g} (white) to {:.4g} m (dark)", range.x, range.y)
+                                 : "Depth: nothing there";
     drawChip(theme, at, text, palette::kText);
     editor.trace.note("viewport depth", text);
     at.y -= theme.small->FontSize + theme.px(12);
@@ -141,7 +145,8 @@ void drawPictureNotes(Editor& editor, vec2 lo, vec2 hi) {
   const std::string text = fmt::format("{}  Colours as {}", icon::kWarning, viewport.colors->description());
   drawChip(theme, at, text, palette::kWarning);
   editor.trace.note("viewport colours", viewport.colorError);
-  if (ImGui::IsMouseHoveringRect(im(at), {at.x + textWidth(theme.small, text), at.y + theme.px(22)})) tooltip(theme, viewport.colorError);
+  if (ImGui::IsMouseHoveringRect(im(at), {at.x + textWidth(theme.small, text), at.y + theme.px(22)}))
+    tooltip(theme, viewport.colorError);
 }
 
 /// `right`: of the panel. What stands at the right edge stands beside the picture where there is room.
@@ -150,7 +155,8 @@ void drawOverlays(Editor& editor, vec2 lo, vec2 hi, float right, bool hovered) {
   if (plain) drawRegionView(editor, lo, hi, hovered);
   drawInspectorMarks(editor, hovered);
   const auto [first, last] = shownCorners(editor.viewport);
-  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture)) drawBandLegend(editor, first, last, right);
+  if (editor.viewport.mode.falseColor && !(plain && !editor.viewport.texture))
+    drawBandLegend(editor, first, last, right);
   if (editor.settings.showHistogram) drawHistogram(editor, first, {right, last.y});
   drawPictureNotes(editor, lo, hi);
   if (editor.settings.showHud) drawHud(editor, lo, hi, lo.y + editor.theme.px(editor.compare.on ? 68 : 40));
@@ -158,7 +164,8 @@ void drawOverlays(Editor& editor, vec2 lo, vec2 hi, float right, bool hovered) {
 
 }  // namespace
 
-unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size, std::size_t slot) {
+unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size,
+                        std::size_t slot) {
   Viewport& viewport = editor.viewport;
   Viewport::Drawn& drawn = viewport.drawn.at(slot);
   if (!picture || !viewport.colors) {
@@ -170,12 +177,13 @@ unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Pictur
     const view::ScanResult* scan = viewport.mode.scan.result();
     settings.range = scan && scan->depth.y > scan->depth.x ? scan->depth : vec2(0, 1);
   }
-  if (drawn.picture == picture && drawn.fraction == picture->fraction && drawn.samples == picture->samples && drawn.size == size &&
-      drawn.settings == settings && drawn.texture)
+  if (drawn.picture == picture && drawn.fraction == picture->fraction && drawn.samples == picture->samples &&
+      drawn.size == size && drawn.settings == settings && drawn.texture)
     return drawn.texture;
   const auto draw = [&](const view::DisplaySettings& s) {
     if (slot == 0) viewport.displayTimer.begin();
-    const Result<unsigned> result = viewport.display.draw(picture->color, picture->size, size, *viewport.colors, s, static_cast<int>(slot));
+    const Result<unsigned> result = viewport.display.draw(picture->color, picture->size, size,
+                                                          *viewport.colors, s, static_cast<int>(slot));
     if (slot == 0) viewport.displayTimer.end();
     return result;
   };
@@ -184,7 +192,8 @@ unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Pictur
     // A display, view or look this configuration does not have: say so, and show its default.
     viewport.colorError = texture.error().message;
     const std::string display = viewport.colors->defaultDisplay();
-    editor.messages.warn(fmt::format("{}; shown as {}, {} instead", viewport.colorError, display, viewport.colors->defaultView(display)));
+    editor.messages.warn(fmt::format("{}; shown as {}, {} instead", viewport.colorError, display,
+                                     viewport.colors->defaultView(display)));
   }
   if (!texture) {
     view::DisplaySettings plain = settings;
@@ -199,12 +208,14 @@ unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Pictur
 
 bool displayTakesPointer(const Editor& editor) {
   const Viewport& v = editor.viewport;
-  return v.mode.region.drawing || v.mode.region.from || v.inspector.draggingArea || v.snapshots.line.held || editor.compare.draggingWipe ||
+  return v.mode.region.drawing || v.mode.region.from || v.inspector.draggingArea || v.snapshots.line.held ||
+         editor.compare.draggingWipe ||
          (editor.settings.showInspector && ImGui::GetIO().KeyCtrl && v.drag == Viewport::Drag::None);
 }
 
 bool displayWantsFrame(const Editor& editor) {
-  return editor.viewport.mode.scan.busy() || (editor.settings.showInspector && editor.viewport.inspector.busy());
+  return editor.viewport.mode.scan.busy() ||
+         (editor.settings.showInspector && editor.viewport.inspector.busy());
 }
 
 std::optional<vec2> pictureUv(const Viewport& viewport, vec2 screen) {
@@ -229,7 +240,8 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
   vec2 lo = vec(panelMin) + vec2(0, bar), hi = vec(panelMax);
   fit(editor, lo, hi);
   const vec2 wanted = (hi - lo) * static_cast<float>(editor.settings.viewportResolution);
-  viewport.renderSize = glm::clamp(ivec2(glm::round(wanted)), ivec2(8), glm::max(editor.document.graph().settings.size, ivec2(8)));
+  viewport.renderSize = glm::clamp(ivec2(glm::round(wanted)), ivec2(8),
+                                   glm::max(editor.document.graph().settings.size, ivec2(8)));
   float top = panelMin.y + bar, bottom = panelMax.y;
   if (editor.compare.on) {
     drawCompareBar(editor, {panelMin.x, top}, {panelMax.x, top + bar});
@@ -240,14 +252,16 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
     fit(editor, lo, hi);
   }
   // Strips below the picture make it smaller on the screen, and like the compare bar never what is rendered.
-  const float strips = inspectorHeight(editor) + snapshotStripHeight(editor), figures = editor.compare.on ? theme.px(34) : 0;
+  const float strips = inspectorHeight(editor) + snapshotStripHeight(editor),
+              figures = editor.compare.on ? theme.px(34) : 0;
   if (strips > 0 && !editor.compare.on) {
     bottom -= strips;
     lo = {panelMin.x, top}, hi = {panelMax.x, bottom};
     fit(editor, lo, hi);
   }
   const auto& picture = editor.preview.picture();
-  if (editor.settings.showHistogram || viewport.mode.layer.kind == view::PictureLayer::Kind::Depth) viewport.mode.scan.follow(picture, 1000 * ImGui::GetTime());
+  if (editor.settings.showHistogram || viewport.mode.layer.kind == view::PictureLayer::Kind::Depth)
+    viewport.mode.scan.follow(picture, 1000 * ImGui::GetTime());
   viewport.texture = displayTexture(editor, picture, ivec2(hi - lo), 0);
   if (const double ms = viewport.displayTimer.takeMs(); ms > 0) viewport.displayMs = ms;
   viewport.shown = {{lo, hi}};
@@ -259,8 +273,10 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
     else if (viewport.snapshots.wiping)
       drawSnapshotWipe(editor, lo, hi, onPicture);
     else
-      draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(viewport.texture)), im(lo), im(hi));
-    editor.trace.note("picture", fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
+      draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(viewport.texture)), im(lo),
+                     im(hi));
+    editor.trace.note("picture",
+                      fmt::format("{}x{} samples {}", picture->size.x, picture->size.y, picture->samples));
   }
   drawPickedRay(editor);
   drawOverlays(editor, lo, hi, panelMax.x, onPicture);
@@ -271,7 +287,8 @@ void drawViewport(Editor& editor, ImVec2 panelMin, ImVec2 panelMax, bool hovered
     drawSnapshotStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
     y += height;
   }
-  if (const float height = inspectorHeight(editor); height > 0) drawInspectorStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
+  if (const float height = inspectorHeight(editor); height > 0)
+    drawInspectorStrip(editor, {panelMin.x, y}, {panelMax.x, y + height});
   const bool free = onPicture && !displayTakesPointer(editor);
   drawViewportTools(editor, free);
   routeViewportPointer(editor, lo, hi, free);

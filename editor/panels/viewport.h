@@ -12,8 +12,8 @@
 #include "editor/panels/display_mode.h"
 #include "editor/panels/inspector.h"
 #include "editor/panels/snapshots.h"
-#include "renderer/gl/gpu_timer.h"
 #include "editor/viewport/viewport_tools.h"
+#include "renderer/gl/gpu_timer.h"
 #include "renderer/image/color.h"
 #include "renderer/scene/camera.h"
 #include "renderer/view/display.h"
@@ -53,7 +53,7 @@ struct Viewport {
   static constexpr std::size_t kThumbnails = 4;  ///< first slot of those
   /// The picture, the truth it is compared with, the sides of a wipe between stills, and their thumbnails.
   std::array<Drawn, kThumbnails + Snapshots::kMost> drawn;
-  unsigned texture = 0;        ///< of the picture; 0 = none
+  unsigned texture = 0;  ///< of the picture; 0 = none
 
   struct Rect {
     vec2 min{0}, max{0};
@@ -70,7 +70,8 @@ struct Viewport {
 void drawViewport(Editor& editor, ImVec2 min, ImVec2 max, bool hovered);
 /// `picture` through the shown output's display transform; redrawn only where something has changed. 0: it
 /// cannot be. Slot 0 is the viewport's own.
-unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size, std::size_t slot);
+unsigned displayTexture(Editor& editor, const std::shared_ptr<const view::Picture>& picture, ivec2 size,
+                        std::size_t slot);
 /// Does the display side use the pointer now: a region, an area, a line that is dragged?
 bool displayTakesPointer(const Editor& editor);
 /// Is something read from the GPU on its way?

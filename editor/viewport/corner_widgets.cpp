@@ -67,7 +67,8 @@ float stripHeight(const Theme& theme) { return theme.px(6 * kToolSize + 2 * kToo
 
 float toolStripWidth(const Editor& editor, vec2 min, vec2 max) {
   const Theme& theme = editor.theme;
-  const bool fits = min.y + theme.px(40) + stripHeight(theme) <= max.y - theme.px(8) && max.x - min.x >= theme.px(240);
+  const bool fits =
+      min.y + theme.px(40) + stripHeight(theme) <= max.y - theme.px(8) && max.x - min.x >= theme.px(240);
   return fits ? theme.space(2) + theme.px(kToolSize + 2 * kToolPad) : 0;
 }
 
@@ -78,7 +79,8 @@ Viewport::Rect shownCorners(const Viewport& viewport) {
 float axisCrossHeight(const Editor& editor, vec2 min, vec2 max) {
   const Theme& theme = editor.theme;
   const auto& overlays = editor.settings.view.overlays;
-  if (!overlays.on || !overlays.axes || max.x - min.x < theme.px(240) || max.y - min.y < theme.px(150)) return 0;
+  if (!overlays.on || !overlays.axes || max.x - min.x < theme.px(240) || max.y - min.y < theme.px(150))
+    return 0;
   return theme.space(2) + 2 * theme.px(kAxisArm + kAxisDot) + (editor.compare.on ? theme.px(28) : 0);
 }
 

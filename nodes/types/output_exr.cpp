@@ -18,15 +18,27 @@ struct Out {};
 
 void describe(Describe<In, Out>& d) {
   d.name("EXR File").category("Output").keywords("write save export openexr still");
-  d.help("Names an OpenEXR file for a picture: scene-linear ACEScg with its chromaticities, never display-referred. Written by File > "
-         "Export EXR and by `pileus render`.");
+  d.help(
+      "Names an OpenEXR file for a picture: scene-linear ACEScg with its chromaticities, never "
+      "display-referred. Written by File > "
+      "Export EXR and by `pileus render`.");
   d.output();
   d.in("image", &In::image).required().help("The picture to write.");
-  d.in("file", &In::file).file("exr", true).help("Target; #, ####, %04d or $F stand for the frame. `pileus render -o` overrides it.");
+  d.in("file", &In::file)
+      .file("exr", true)
+      .help("Target; #, ####, %04d or $F stand for the frame. `pileus render -o` overrides it.");
   d.in("type", &In::type).help("Precision of the stored pixels.");
   d.in("compression", &In::compression).help("Compression of the file.");
-  d.in("depth", &In::depth).help("Adds depth.Z in 32 bits: metres along the viewing axis to the mean point that scatters or reflects; 0 where nothing does.");
-  d.in("lights", &In::lights).label("Light layers").help("Adds light1.R, light1.G ... for each light in the order of the links: its part of the picture, and emission.R ... where something emits. Their sum is the picture; each takes about as long as it.");
+  d.in("depth", &In::depth)
+      .help(
+          "Adds depth.Z in 32 bits: metres along the viewing axis to the mean point that scatters or "
+          "reflects; 0 where nothing does.");
+  d.in("lights", &In::lights)
+      .label("Light layers")
+      .help(
+          "Adds light1.R, light1.G ... for each light in the order of the links: its part of the picture, "
+          "and emission.R ... where something emits. Their sum is the picture; each takes about as long as "
+          "it.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

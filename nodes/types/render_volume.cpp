@@ -42,21 +42,38 @@ void addLayers(State& state, const view::RenderScene& scene, const view::ExtraLa
   };
   using Kind = view::PictureLayer::Kind;
   if (wanted.depth) add("depth", {Kind::Depth, 0});
-  for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i) add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
+  for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i)
+    add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
   if (wanted.lights && view::emits(scene)) add("emission", {Kind::Emission, 0});
 }
 
 void describe(Describe<In, Out>& d) {
   d.name("Volume Render").category("Render").keywords("picture scattering march beauty");
-  d.help("Renders single scattering of the lights in the volumes, what they emit, and the solids behind and among them, front to back. Any "
-         "number of overlapping volumes; the picture refines sample by sample. Background black, alpha 0.");
+  d.help(
+      "Renders single scattering of the lights in the volumes, what they emit, and the solids behind and "
+      "among them, front to back. Any "
+      "number of overlapping volumes; the picture refines sample by sample. Background black, alpha 0.");
   d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");
-  d.in("lights", &In::lights).many().help("The lights, each with its own shadow. None: only what emits is seen.");
-  d.in("solids", &In::solids).many().help("The opaque solids to draw. They block a light only where they are linked to its shadow, too.");
-  d.in("camera", &In::camera).help("Where the picture is taken from; unlinked: the viewport's free camera, or a view framed on the volumes.");
-  d.in("step_scale", &In::step_scale).range(0.05, 16).soft(0.25, 4).logarithmic().help("March step as a multiple of the finest voxel or pixel footprint along the ray.");
-  d.in("samples", &In::samples).range(1, 4096).soft(1, 64).help("Jittered samples per pixel. 1: the ray through the pixel centre, without jitter.");
+  d.in("lights", &In::lights)
+      .many()
+      .help("The lights, each with its own shadow. None: only what emits is seen.");
+  d.in("solids", &In::solids)
+      .many()
+      .help("The opaque solids to draw. They block a light only where they are linked to its shadow, too.");
+  d.in("camera", &In::camera)
+      .help(
+          "Where the picture is taken from; unlinked: the viewport's free camera, or a view framed on the "
+          "volumes.");
+  d.in("step_scale", &In::step_scale)
+      .range(0.05, 16)
+      .soft(0.25, 4)
+      .logarithmic()
+      .help("March step as a multiple of the finest voxel or pixel footprint along the ray.");
+  d.in("samples", &In::samples)
+      .range(1, 4096)
+      .soft(1, 64)
+      .help("Jittered samples per pixel. 1: the ray through the pixel centre, without jitter.");
   d.out("image", &Out::image).help("Scene-linear radiance [W/(m^2 sr)], premultiplied, with alpha.");
 }
 
@@ -66,7 +83,8 @@ Box3 framed(const In& in) {
   return volumes.empty() ? scene::worldBounds(in.solids.items) : volumes;
 }
 
-/// As many pixels as the context allows in a drag, of the picture's shape; in a region they are all spent there.
+/// As many pixels as the context allows in a drag, of the picture's shape; in a region they are all spent
+/// there.
 ivec2 draftSize(const view::RenderOptions& o, const EvalContext& ctx, bool software) {
   const int allowed = ctx.draftPixels() > 0 ? ctx.draftPixels() : software ? 25000 : o.size.x * o.size.y;
   const dvec2 part = o.region.max - o.region.min;
@@ -105,9 +123,12 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
     options.layer = ctx.layer();
     options.region = ctx.region();
     const double aspect = double(options.size.x) / options.size.y;
-    if (in.camera.camera) options.camera = *in.camera.camera;
-    else if (ctx.freeCamera()) options.camera = *ctx.freeCamera();
-    else options.camera = scene::frameBounds(framed(in), aspect);
+    if (in.camera.camera)
+      options.camera = *in.camera.camera;
+    else if (ctx.freeCamera())
+      options.camera = *ctx.freeCamera();
+    else
+      options.camera = scene::frameBounds(framed(in), aspect);
     if (ctx.quality() == Quality::Draft) {
       options.samples = 1;
       options.size = draftSize(options, ctx, renderer->device().software);
@@ -128,10 +149,15 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
     fraction /= double(state.extras.size() + 1);
   }
   if (const auto& r = state.pass->residency(); r.coarsened > 0)
-    ctx.warn(fmt::format("{} of the grids are drawn coarser than they are: their bricks need {} MiB, {} MiB are set aside (--gpu-memory)", r.coarsened, r.wantedBytes >> 20, r.budgetBytes >> 20));
+    ctx.warn(
+        fmt::format("{} of the grids are drawn coarser than they are: their bricks need {} MiB, {} MiB are "
+                    "set aside (--gpu-memory)",
+                    r.coarsened, r.wantedBytes >> 20, r.budgetBytes >> 20));
   if (fraction < 1) {
-    if (picture) ctx.partial(fraction);
-    else ctx.pending(fraction, "Uploading bricks");
+    if (picture)
+      ctx.partial(fraction);
+    else
+      ctx.pending(fraction, "Uploading bricks");
   }
   return Out{{picture}};
 }

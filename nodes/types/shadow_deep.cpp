@@ -20,17 +20,39 @@ struct Out {
 };
 
 void describe(Describe<In, Out>& d) {
-  d.name("Deep Shadow Map").category("Shadow").keywords("dsm lokovic veach deep visibility compressed piecewise linear baseline");
-  d.help("Keeps the transmittance of each light ray as a piecewise-linear function, compressed so that it never errs by more than a bound (Lokovic and Veach 2000). Its memory "
-         "depends on the scene; it is built in two ordered marches and read by a binary search in four texels.");
+  d.name("Deep Shadow Map")
+      .category("Shadow")
+      .keywords("dsm lokovic veach deep visibility compressed piecewise linear baseline");
+  d.help(
+      "Keeps the transmittance of each light ray as a piecewise-linear function, compressed so that it never "
+      "errs by more than a bound (Lokovic and Veach 2000). Its memory "
+      "depends on the scene; it is built in two ordered marches and read by a binary search in four texels.");
   d.uses(UsesQuality);
   d.in("volumes", &In::volumes).many().help("The media that cast shadows.");
   d.in("light", &In::light).required().help("The lights to shadow; each gets a map of its own.");
   d.in("solids", &In::solids).many().help("Opaque solids that block the light, exactly.");
-  d.in("error_bound", &In::error_bound).range(0, 0.5).soft(0.001, 0.1).logarithmic().help("Largest error of transmittance the compression may make. 0 keeps every step of the march.");
-  d.in("node_budget", &In::node_budget).unit("vertices").range(2, 4096).soft(8, 256).logarithmic().help("Vertices a texel may keep; one that needs more gets a larger bound, and the node says so.");
-  d.in("filter", &In::filter).unit("rays").range(1, 4).help("Light rays along each edge of a texel that are averaged before compression: 2 means 4 rays. Prefiltered maps do not alias.");
-  d.in("resolution", &In::resolution).unit("texels").range(64, 4096).logarithmic().help("Texels along each edge of the map.");
+  d.in("error_bound", &In::error_bound)
+      .range(0, 0.5)
+      .soft(0.001, 0.1)
+      .logarithmic()
+      .help("Largest error of transmittance the compression may make. 0 keeps every step of the march.");
+  d.in("node_budget", &In::node_budget)
+      .unit("vertices")
+      .range(2, 4096)
+      .soft(8, 256)
+      .logarithmic()
+      .help("Vertices a texel may keep; one that needs more gets a larger bound, and the node says so.");
+  d.in("filter", &In::filter)
+      .unit("rays")
+      .range(1, 4)
+      .help(
+          "Light rays along each edge of a texel that are averaged before compression: 2 means 4 rays. "
+          "Prefiltered maps do not alias.");
+  d.in("resolution", &In::resolution)
+      .unit("texels")
+      .range(64, 4096)
+      .logarithmic()
+      .help("Texels along each edge of the map.");
   d.out("light", &Out::light).help("The lights with this shadow.");
 }
 
@@ -41,7 +63,8 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   spec.nodeBudget = in.node_budget;
   spec.filter = in.filter;
   spec.resolution = in.resolution;
-  PILEUS_TRY(LightValue light, shadowLights(spec, in.light, in.volumes, in.solids, ctx, "Compressing transmittance"));
+  PILEUS_TRY(LightValue light,
+             shadowLights(spec, in.light, in.volumes, in.solids, ctx, "Compressing transmittance"));
   return Out{std::move(light)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Names of enum values, declared beside the enum: `constexpr auto enumInfo(Basis*) { return std::array{EnumItem<Basis>{...}}; }`.
+// Names of enum values, declared beside the enum: `constexpr auto enumInfo(Basis*) { return
+// std::array{EnumItem<Basis>{...}}; }`.
 #include <optional>
 #include <string_view>
 
@@ -14,7 +15,9 @@ struct EnumItem {
 };
 
 template <class E>
-concept DescribedEnum = requires { enumInfo(static_cast<E*>(nullptr)); };
+concept DescribedEnum = requires {
+  enumInfo(static_cast<E*>(nullptr));
+};
 
 template <DescribedEnum E>
 constexpr std::string_view enumId(E value) {

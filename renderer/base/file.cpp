@@ -19,13 +19,19 @@ std::string reason() { return std::strerror(errno); }
 fs::path xdgFolder(const char* variable, const char* underHome) {
   std::error_code ec;
   fs::path base;
-  if (const char* value = std::getenv(variable); value && *value == '/') base = value;
-  else if (const char* home = std::getenv("HOME"); home && *home) base = fs::path(home) / underHome;
+  if (const char* value = std::getenv(variable); value && *value == '/')
+    base = value;
+  else if (const char* home = std::getenv("HOME"); home && *home)
+    base = fs::path(home) / underHome;
   if (!base.empty()) {
     const fs::path folder = base / "pileus";
-    if (fs::create_directories(folder, ec); fs::is_directory(folder, ec) && ::access(folder.c_str(), W_OK) == 0) return folder;
+    if (fs::create_directories(folder, ec);
+        fs::is_directory(folder, ec) && ::access(folder.c_str(), W_OK) == 0)
+      return folder;
   }
-  const fs::path folder = fs::temp_directory_path(ec) / fmt::format("pileus-{}{}", ::getuid(), underHome[0] == '.' ? underHome + 1 : underHome);
+  const fs::path folder =
+      fs::temp_directory_path(ec) /
+      fmt::format("pileus-{}{}", ::getuid(), underHome[0] == '.' ? underHome + 1 : underHome);
   fs::create_directories(folder, ec);
   return folder;
 }
@@ -41,7 +47,8 @@ Result<std::string> readFile(const fs::path& path, std::size_t maxBytes) {
   char chunk[65536];
   while (in.read(chunk, sizeof chunk) || in.gcount() > 0) {
     content.append(chunk, static_cast<std::size_t>(in.gcount()));
-    if (content.size() > maxBytes) return fail(Code::Input, "{}: larger than {} MiB", path.string(), maxBytes >> 20);
+    if (content.size() > maxBytes)
+      return fail(Code::Input, "{}: larger than {} MiB", path.string(), maxBytes >> 20);
   }
   if (in.bad()) return fail(Code::Input, "{}: cannot be read ({})", path.string(), reason());
   return content;
@@ -63,8 +70,10 @@ Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
   while (ok && done < content.size()) {
     const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) ok = false;
-    else done += static_cast<std::size_t>(n);
+    if (n <= 0)
+      ok = false;
+    else
+      done += static_cast<std::size_t>(n);
   }
   ok = ok && ::fsync(fd) == 0;
   std::string why = ok ? "" : reason();

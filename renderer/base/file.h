@@ -11,12 +11,14 @@ namespace pileus {
 
 /// The whole file. Error (Input) names the path and the reason.
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t(1) << 30);
-/// Temporary file beside the target, fsync, rename: the target is the old content or the new, never a part. Keeps the target's
-/// permissions, and a link a link.
+/// Temporary file beside the target, fsync, rename: the target is the old content or the new, never a part.
+/// Keeps the target's permissions, and a link a link.
 Result<void> writeFileAtomic(const std::filesystem::path& target, std::string_view content);
-/// Key of (absolute path, size, modification time): what a file input contributes to a content key. Missing file: a key of its path.
+/// Key of (absolute path, size, modification time): what a file input contributes to a content key. Missing
+/// file: a key of its path.
 Key fileStamp(const std::filesystem::path& path);
-/// $XDG_CACHE_HOME/pileus or ~/.cache/pileus, created; falls back to a folder under the system's temporary one.
+/// $XDG_CACHE_HOME/pileus or ~/.cache/pileus, created; falls back to a folder under the system's temporary
+/// one.
 std::filesystem::path cacheFolder();
 /// $XDG_CONFIG_HOME/pileus or ~/.config/pileus, created; same fallback.
 std::filesystem::path configFolder();

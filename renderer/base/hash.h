@@ -31,8 +31,7 @@ class Hasher {
   Hasher& add(const char* text) { return add(std::string_view(text)); }
   Hasher& add(const Key& key) { return bytes(&key, sizeof key); }
   template <class T>
-    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-  Hasher& add(T value) {
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) Hasher& add(T value) {
     if constexpr (std::is_floating_point_v<T>) {
       if (value == T(0)) value = T(0);  // -0 and +0 are one value
     }
@@ -51,5 +50,7 @@ Key hashBytes(std::span<const std::byte> data);
 
 template <>
 struct std::hash<pileus::Key> {
-  std::size_t operator()(const pileus::Key& k) const noexcept { return static_cast<std::size_t>(k.lo ^ (k.hi * 0x9E3779B97F4A7C15ull)); }
+  std::size_t operator()(const pileus::Key& k) const noexcept {
+    return static_cast<std::size_t>(k.lo ^ (k.hi * 0x9E3779B97F4A7C15ull));
+  }
 };

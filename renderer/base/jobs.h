@@ -25,7 +25,8 @@ class JobControl {
   std::atomic<bool> cancelled_{false};
 };
 
-/// Called after any job has ended or published a part, from the job's thread (the window uses it to wake up). May be null.
+/// Called after any job has ended or published a part, from the job's thread (the window uses it to wake up).
+/// May be null.
 void setJobNotifier(std::function<void()> notifier);
 void notifyJobs();
 

@@ -24,7 +24,8 @@ struct State {
 State& state() {
   static State s;
   if (!s.printer) {
-    s.printer = std::make_shared<spdlog::logger>("pileus", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+    s.printer =
+        std::make_shared<spdlog::logger>("pileus", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
     s.printer->set_pattern("%^%l:%$ %v");
     s.printer->set_level(spdlog::level::warn);
   }
@@ -33,10 +34,14 @@ State& state() {
 
 spdlog::level::level_enum toSpdlog(Level level) {
   switch (level) {
-    case Level::Debug: return spdlog::level::debug;
-    case Level::Info: return spdlog::level::info;
-    case Level::Warning: return spdlog::level::warn;
-    case Level::Error: return spdlog::level::err;
+    case Level::Debug:
+      return spdlog::level::debug;
+    case Level::Info:
+      return spdlog::level::info;
+    case Level::Warning:
+      return spdlog::level::warn;
+    case Level::Error:
+      return spdlog::level::err;
   }
   return spdlog::level::err;
 }

@@ -25,12 +25,20 @@ std::vector<Line> history();
 std::size_t count(Level level);
 
 template <class... Args>
-void debug(fmt::format_string<Args...> f, Args&&... args) { write(Level::Debug, fmt::format(f, std::forward<Args>(args)...)); }
+void debug(fmt::format_string<Args...> f, Args&&... args) {
+  write(Level::Debug, fmt::format(f, std::forward<Args>(args)...));
+}
 template <class... Args>
-void info(fmt::format_string<Args...> f, Args&&... args) { write(Level::Info, fmt::format(f, std::forward<Args>(args)...)); }
+void info(fmt::format_string<Args...> f, Args&&... args) {
+  write(Level::Info, fmt::format(f, std::forward<Args>(args)...));
+}
 template <class... Args>
-void warn(fmt::format_string<Args...> f, Args&&... args) { write(Level::Warning, fmt::format(f, std::forward<Args>(args)...)); }
+void warn(fmt::format_string<Args...> f, Args&&... args) {
+  write(Level::Warning, fmt::format(f, std::forward<Args>(args)...));
+}
 template <class... Args>
-void error(fmt::format_string<Args...> f, Args&&... args) { write(Level::Error, fmt::format(f, std::forward<Args>(args)...)); }
+void error(fmt::format_string<Args...> f, Args&&... args) {
+  write(Level::Error, fmt::format(f, std::forward<Args>(args)...));
+}
 
 }  // namespace pileus::log

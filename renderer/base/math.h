@@ -63,7 +63,8 @@ inline dmat4 composeTransform(const dvec3& translate, const dvec3& rotateDegrees
   return glm::scale(m, scale);
 }
 
-/// The part [x, y] of the line o + t d inside the box (slab test), or nothing. Twin of intersectBox in lib/intersect.glsl.
+/// The part [x, y] of the line o + t d inside the box (slab test), or nothing. Twin of intersectBox in
+/// lib/intersect.glsl.
 inline std::optional<dvec2> intersectBox(const dvec3& o, const dvec3& d, const dvec3& lo, const dvec3& hi) {
   double t0 = -std::numeric_limits<double>::infinity(), t1 = std::numeric_limits<double>::infinity();
   for (int a = 0; a < 3; ++a) {
@@ -80,7 +81,8 @@ inline std::optional<dvec2> intersectBox(const dvec3& o, const dvec3& d, const d
   return dvec2(t0, t1);
 }
 
-/// The part of the line o + t d inside the unit ball |p| <= 1, or nothing. Twin of intersectBall in lib/intersect.glsl.
+/// The part of the line o + t d inside the unit ball |p| <= 1, or nothing. Twin of intersectBall in
+/// lib/intersect.glsl.
 inline std::optional<dvec2> intersectBall(const dvec3& o, const dvec3& d) {
   const double a = glm::dot(d, d), b = glm::dot(o, d), c = glm::dot(o, o) - 1.0;
   const double q = b * b - a * c;

@@ -1,5 +1,6 @@
 #pragma once
-// Errors are values at every boundary: what happened, where, and what to do next. The code decides the exit status.
+// Errors are values at every boundary: what happened, where, and what to do next. The code decides the exit
+// status.
 #include <fmt/core.h>
 
 #include <optional>
@@ -33,8 +34,8 @@ Error fail(Code code, fmt::format_string<Args...> format, Args&&... args) {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::move(value)) {}        // NOLINT: implicit by design
-  Result(Error error) : state_(std::move(error)) {}    // NOLINT
+  Result(T value) : state_(std::move(value)) {}      // NOLINT: implicit by design
+  Result(Error error) : state_(std::move(error)) {}  // NOLINT
   explicit operator bool() const { return state_.index() == 0; }
   T& value() & { return std::get<0>(state_); }
   const T& value() const& { return std::get<0>(state_); }
@@ -67,12 +68,12 @@ class [[nodiscard]] Result<void> {
 /// PILEUS_TRY(auto x, expression): declares x from a Result or returns its error.
 #define PILEUS_TRY(declaration, expression) PILEUS_TRY_(declaration, expression, __LINE__)
 #define PILEUS_TRY_(declaration, expression, line) PILEUS_TRY__(declaration, expression, line)
-#define PILEUS_TRY__(declaration, expression, line) \
-  auto pileusTry##line = (expression);              \
+#define PILEUS_TRY__(declaration, expression, line)     \
+  auto pileusTry##line = (expression);                  \
   if (!pileusTry##line) return pileusTry##line.error(); \
   declaration = std::move(pileusTry##line).value()
 /// For Result<void>.
-#define PILEUS_CHECK(expression)                            \
-  do {                                                      \
+#define PILEUS_CHECK(expression)                                       \
+  do {                                                                 \
     if (auto checked = (expression); !checked) return checked.error(); \
   } while (false)

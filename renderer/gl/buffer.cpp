@@ -14,7 +14,8 @@ void Buffer::reset() {
 void Buffer::reserve(std::size_t bytes) {
   if (id_ && bytes <= capacity_) return;
   const std::size_t wanted = std::max({bytes, capacity_ * 2, std::size_t(256)});
-  const std::size_t size = wanted > bytes && wanted > (std::size_t(64) << 20) ? std::max(bytes, std::size_t(256)) : wanted;
+  const std::size_t size =
+      wanted > bytes && wanted > (std::size_t(64) << 20) ? std::max(bytes, std::size_t(256)) : wanted;
   reset();
   glCreateBuffers(1, &id_);
   glNamedBufferStorage(id_, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_STORAGE_BIT);

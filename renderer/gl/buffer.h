@@ -14,7 +14,11 @@ class Buffer {
   Buffer() = default;
   explicit Buffer(std::string_view label) : label_(label) {}
   ~Buffer() { reset(); }
-  Buffer(Buffer&& o) noexcept : label_(std::move(o.label_)), id_(std::exchange(o.id_, 0)), capacity_(std::exchange(o.capacity_, 0)), texels_(std::exchange(o.texels_, 0)) {}
+  Buffer(Buffer&& o) noexcept
+      : label_(std::move(o.label_)),
+        id_(std::exchange(o.id_, 0)),
+        capacity_(std::exchange(o.capacity_, 0)),
+        texels_(std::exchange(o.texels_, 0)) {}
   Buffer& operator=(Buffer&& o) noexcept {
     if (this != &o) {
       reset();
@@ -26,7 +30,8 @@ class Buffer {
     return *this;
   }
 
-  /// Replaces the content; storage is reused while it is large enough. An empty span still leaves a bindable buffer.
+  /// Replaces the content; storage is reused while it is large enough. An empty span still leaves a bindable
+  /// buffer.
   void assign(const void* data, std::size_t bytes);
   template <class T>
   void assign(std::span<const T> data) {

@@ -12,9 +12,12 @@
 namespace pileus::gl {
 namespace {
 
-void GLAPIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text, const void*) {
-  if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH) log::error("OpenGL: {}", text);
-  else if (type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR || type == GL_DEBUG_TYPE_PORTABILITY) log::debug("OpenGL: {}", text);
+void GLAPIENTRY onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* text,
+                               const void*) {
+  if (type == GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_HIGH)
+    log::error("OpenGL: {}", text);
+  else if (type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR || type == GL_DEBUG_TYPE_PORTABILITY)
+    log::debug("OpenGL: {}", text);
 }
 
 std::string glText(GLenum name) {
@@ -37,13 +40,20 @@ bool isSoftware(std::string_view renderer) {
 void* tryContext(EGLDisplay display) {
   EGLint major = 0, minor = 0;
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return nullptr;
-  const EGLint config_attributes[] = {EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint config_attributes[] = {EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                      EGL_NONE};
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_NONE};
   EGLConfig config = EGL_NO_CONFIG_KHR;
   EGLint count = 0;
   eglBindAPI(EGL_OPENGL_API);
-  if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
+  if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0)
+    config = EGL_NO_CONFIG_KHR;
   EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
   if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
@@ -62,7 +72,9 @@ Result<DeviceInfo> inspectCurrentContext() {
   info.renderer = glText(GL_RENDERER);
   info.version = glText(GL_VERSION);
   if (!epoxy_is_desktop_gl() || version < 45)
-    return fail(Code::Gpu, "OpenGL 4.5 is needed; {} offers {}. Update the driver, or set LIBGL_ALWAYS_SOFTWARE=1", info.renderer, info.version);
+    return fail(Code::Gpu,
+                "OpenGL 4.5 is needed; {} offers {}. Update the driver, or set LIBGL_ALWAYS_SOFTWARE=1",
+                info.renderer, info.version);
   info.software = isSoftware(info.renderer);
   info.maxTextureSize = glInt(GL_MAX_TEXTURE_SIZE);
   info.max3dTextureSize = glInt(GL_MAX_3D_TEXTURE_SIZE);
@@ -86,14 +98,16 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
     return out->context_ != nullptr;
   };
   // Two rounds over the devices: real GPUs first, then whatever is left (llvmpipe's device).
-  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") && epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
+      epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
     EGLDeviceEXT devices[32];
     EGLint count = 0;
     if (eglQueryDevicesEXT(32, devices, &count)) {
       for (int i = 0; i < count; ++i) {
         const char* extensions = eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS);
         const bool software = extensions && std::strstr(extensions, "EGL_MESA_device_software");
-        if (!software && adopt(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr))) return out;
+        if (!software && adopt(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)))
+          return out;
       }
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
-// GPU milliseconds of a span of commands, read when the result is there (a frame or two later on a GPU, at once on llvmpipe).
+// GPU milliseconds of a span of commands, read when the result is there (a frame or two later on a GPU, at
+// once on llvmpipe).
 #include <epoxy/gl.h>
 
 #include <deque>

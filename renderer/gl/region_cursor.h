@@ -1,5 +1,6 @@
 #pragma once
-// Walks a picture or map in square regions, so that no dispatch holds the window for long (a llvmpipe dispatch cannot be interrupted).
+// Walks a picture or map in square regions, so that no dispatch holds the window for long (a llvmpipe
+// dispatch cannot be interrupted).
 #include "renderer/base/math.h"
 #include "renderer/gl/context.h"
 
@@ -12,7 +13,8 @@ struct RegionCursor {
   ivec2 at{0};  ///< the first pixel: a part of a larger picture
 
   RegionCursor() = default;
-  RegionCursor(ivec2 extent, const DeviceInfo& device, int softwareEdge = 64) : size(extent), edge(device.software ? softwareEdge : 512) {}
+  RegionCursor(ivec2 extent, const DeviceInfo& device, int softwareEdge = 64)
+      : size(extent), edge(device.software ? softwareEdge : 512) {}
 
   ivec2 grid() const { return (size + edge - 1) / edge; }
   int count() const { return grid().x * grid().y; }

@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -14,14 +14,16 @@ namespace pileus::gl {
 namespace {
 
 Result<std::string> source(const std::string& path) {
-  if (const char* folder = std::getenv("PILEUS_SHADERS"); folder && *folder) return readFile(std::filesystem::path(folder) / path);
+  if (const char* folder = std::getenv("PILEUS_SHADERS"); folder && *folder)
+    return readFile(std::filesystem::path(folder) / path);
   for (const EmbeddedFile& f : embedded_shaders())
     if (f.path == path) return std::string(f.bytes);
   return fail(Code::Internal, "shader {}: no such file", path);
 }
 
 /// Text with includes put in once each; `files` numbers them for #line.
-Result<void> expand(const std::string& path, std::vector<std::string>& files, std::set<std::string>& seen, std::string& out) {
+Result<void> expand(const std::string& path, std::vector<std::string>& files, std::set<std::string>& seen,
+                    std::string& out) {
   if (!seen.insert(path).second) return {};
   PILEUS_TRY(const std::string text, source(path));
   const std::size_t number = files.size();
@@ -93,9 +95,12 @@ GLint Program::at(const char* name) {
   return locations_.emplace(name, glGetUniformLocation(id_, name)).first->second;
 }
 
-Result<Program*> ShaderLibrary::program(const std::vector<std::string>& entries, const Defines& defines) { return program(entries, defines, {}, {}); }
+Result<Program*> ShaderLibrary::program(const std::vector<std::string>& entries, const Defines& defines) {
+  return program(entries, defines, {}, {});
+}
 
-Result<Program*> ShaderLibrary::program(const std::vector<std::string>& entries, const Defines& defines, std::string_view extra, std::string_view extraKey) {
+Result<Program*> ShaderLibrary::program(const std::vector<std::string>& entries, const Defines& defines,
+                                        std::string_view extra, std::string_view extraKey) {
   std::string key(extraKey);
   for (const std::string& e : entries) key += "|" + e;
   for (const auto& [name, value] : defines) key += fmt::format("|{}={}", name, value);
@@ -138,7 +143,9 @@ Result<Program*> ShaderLibrary::program(const std::vector<std::string>& entries,
 std::vector<std::string> ShaderLibrary::entries() {
   std::vector<std::string> out;
   for (const EmbeddedFile& f : embedded_shaders())
-    if (f.path.find(".comp.") != f.path.npos || f.path.find(".frag.") != f.path.npos || f.path.find(".vert.") != f.path.npos) out.emplace_back(f.path);
+    if (f.path.find(".comp.") != f.path.npos || f.path.find(".frag.") != f.path.npos ||
+        f.path.find(".vert.") != f.path.npos)
+      out.emplace_back(f.path);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Programs by entry file and defines, compiled once. Sources are embedded; with $PILEUS_SHADERS naming the shaders folder they are read
-// from disk instead and reload() picks up edits. Driver messages are given back with file names and lines. GL thread.
+// Programs by entry file and defines, compiled once. Sources are embedded; with $PILEUS_SHADERS naming the
+// shaders folder they are read from disk instead and reload() picks up edits. Driver messages are given back
+// with file names and lines. GL thread.
 #include <epoxy/gl.h>
 
 #include <map>
@@ -40,7 +41,9 @@ class Program {
   void set(const char* name, ivec3 v) { glProgramUniform3i(id_, at(name), v.x, v.y, v.z); }
   void set(const char* name, vec4 v) { glProgramUniform4f(id_, at(name), v.x, v.y, v.z, v.w); }
   void set(const char* name, ivec4 v) { glProgramUniform4i(id_, at(name), v.x, v.y, v.z, v.w); }
-  void set(const char* name, const mat4& v) { glProgramUniformMatrix4fv(id_, at(name), 1, GL_FALSE, &v[0][0]); }
+  void set(const char* name, const mat4& v) {
+    glProgramUniformMatrix4fv(id_, at(name), 1, GL_FALSE, &v[0][0]);
+  }
 
  private:
   GLint at(const char* name);
@@ -50,10 +53,13 @@ class Program {
 
 class ShaderLibrary {
  public:
-  /// entries: "view/volume_render.comp.glsl", or a .vert and a .frag. The reference stays valid for the library's life.
+  /// entries: "view/volume_render.comp.glsl", or a .vert and a .frag. The reference stays valid for the
+  /// library's life.
   Result<Program*> program(const std::vector<std::string>& entries, const Defines& defines = {});
-  /// The same, with `extra` text inserted before the last entry's body (an OCIO transform), cached by `extraKey`.
-  Result<Program*> program(const std::vector<std::string>& entries, const Defines& defines, std::string_view extra, std::string_view extraKey);
+  /// The same, with `extra` text inserted before the last entry's body (an OCIO transform), cached by
+  /// `extraKey`.
+  Result<Program*> program(const std::vector<std::string>& entries, const Defines& defines,
+                           std::string_view extra, std::string_view extraKey);
   void reload() { programs_.clear(); }
   /// Every entry file (for the test that compiles them all).
   static std::vector<std::string> entries();

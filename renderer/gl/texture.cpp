@@ -6,20 +6,35 @@ namespace pileus::gl {
 
 std::size_t texelBytes(GLenum format) {
   switch (format) {
-    case GL_R8: return 1;
-    case GL_R16: case GL_R16F: return 2;
-    case GL_RGBA8: case GL_R32F: case GL_RG16F: return 4;
-    case GL_RGBA16: case GL_RGBA16F: case GL_RG32F: return 8;
-    case GL_RGB32F: return 12;
-    default: return 16;
+    case GL_R8:
+      return 1;
+    case GL_R16:
+    case GL_R16F:
+      return 2;
+    case GL_RGBA8:
+    case GL_R32F:
+    case GL_RG16F:
+      return 4;
+    case GL_RGBA16:
+    case GL_RGBA16F:
+    case GL_RG32F:
+      return 8;
+    case GL_RGB32F:
+      return 12;
+    default:
+      return 16;
   }
 }
 
-Texture::Texture(GLenum target, GLenum internalFormat, ivec3 size, std::string_view label, int mips) : target_(target), format_(internalFormat), size_(size) {
+Texture::Texture(GLenum target, GLenum internalFormat, ivec3 size, std::string_view label, int mips)
+    : target_(target), format_(internalFormat), size_(size) {
   glCreateTextures(target, 1, &id_);
-  if (target == GL_TEXTURE_1D) glTextureStorage1D(id_, mips, internalFormat, size.x);
-  else if (target == GL_TEXTURE_2D) glTextureStorage2D(id_, mips, internalFormat, size.x, size.y);
-  else glTextureStorage3D(id_, mips, internalFormat, size.x, size.y, size.z);
+  if (target == GL_TEXTURE_1D)
+    glTextureStorage1D(id_, mips, internalFormat, size.x);
+  else if (target == GL_TEXTURE_2D)
+    glTextureStorage2D(id_, mips, internalFormat, size.x, size.y);
+  else
+    glTextureStorage3D(id_, mips, internalFormat, size.x, size.y, size.z);
   glObjectLabel(GL_TEXTURE, id_, static_cast<GLsizei>(label.size()), label.data());
   filter(GL_NEAREST);
   wrap(GL_CLAMP_TO_EDGE);
@@ -57,7 +72,8 @@ void Texture::filter(GLenum mode) const {
 }
 
 void Texture::wrap(GLenum mode) const {
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(id_, axis, static_cast<GLint>(mode));
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTextureParameteri(id_, axis, static_cast<GLint>(mode));
 }
 
 void Texture::clear(const vec4& value) const { glClearTexImage(id_, 0, GL_RGBA, GL_FLOAT, &value.x); }

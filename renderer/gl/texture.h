@@ -23,8 +23,8 @@ class Texture {
     return *this;
   }
 
-  /// The first mip of another texture by a compatible format, read by its own filter (nearest); keeps the texels alive with its owner
-  /// gone. bytes() is 0.
+  /// The first mip of another texture by a compatible format, read by its own filter (nearest); keeps the
+  /// texels alive with its owner gone. bytes() is 0.
   static Texture view(const Texture& of, GLenum internalFormat, std::string_view label);
 
   GLuint id() const { return id_; }

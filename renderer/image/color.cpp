@@ -110,7 +110,8 @@ struct ColorConfig::Impl {
                   quotedList(names));
     }
     if (!look.empty() && std::find(looks.begin(), looks.end(), look) == looks.end())
-      return fail(Code::Arguments, "there is no look '{}'; the colour config has {}", look, quotedList(looks));
+      return fail(Code::Arguments, "there is no look '{}'; the colour config has {}", look,
+                  quotedList(looks));
     if (viewName.empty()) return Choice{d->name, d->defaultView, look};
     if (std::find(d->views.begin(), d->views.end(), viewName) == d->views.end())
       return fail(Code::Arguments, "there is no view '{}' for display '{}'; the colour config has {}",

@@ -119,7 +119,8 @@ std::string fitText(Face face, double em, std::string_view text, double width) {
   while (!cut.empty()) {
     do cut.pop_back();
     while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80);
-    if (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0xC0) cut.pop_back();  // a lead byte alone
+    if (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0xC0)
+      cut.pop_back();  // a lead byte alone
     if (textWidth(face, em, cut + "\u2026") <= width) break;
   }
   return cut + "\u2026";

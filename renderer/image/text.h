@@ -1,5 +1,6 @@
 #pragma once
-// Text in pictures: antialiased glyphs of the interface's fonts, blended into display-referred pixels. Any thread.
+// Text in pictures: antialiased glyphs of the interface's fonts, blended into display-referred pixels. Any
+// thread.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,8 @@ struct Canvas {
 
 enum class Face { Regular, Bold, Mono };
 
-/// Pixels from the first to the last glyph's advance. `text` is UTF-8; a glyph that the font lacks is its box.
+/// Pixels from the first to the last glyph's advance. `text` is UTF-8; a glyph that the font lacks is its
+/// box.
 double textWidth(Face face, double em, std::string_view text);
 /// `at`: where the baseline begins; `em`: size in pixels.
 void drawText(Canvas& canvas, dvec2 at, Face face, double em, vec3 color, std::string_view text);

@@ -30,14 +30,17 @@ std::size_t payloads(const volume::BrickGrid& grid, int finest) {
 
 }  // namespace
 
-BrickPool::BrickPool(const gl::DeviceInfo& device, std::size_t budgetBytes) : device_(device), budget_(budgetBytes) {
-  // Powers of two: texel coordinates then normalise exactly, and a voxel's centre returns the voxel alone. Narrow layers keep growth
-  // steps small; wide ones are needed only for large budgets.
+BrickPool::BrickPool(const gl::DeviceInfo& device, std::size_t budgetBytes)
+    : device_(device), budget_(budgetBytes) {
+  // Powers of two: texel coordinates then normalise exactly, and a voxel's centre returns the voxel alone.
+  // Narrow layers keep growth steps small; wide ones are needed only for large budgets.
   const int most = int(std::bit_floor(unsigned(device.max3dTextureSize)));
   int edge = 256;
-  while (edge * 2 <= most && std::size_t(edge) * std::size_t(edge) * std::size_t(most) < budgetBytes) edge *= 2;
+  while (edge * 2 <= most && std::size_t(edge) * std::size_t(edge) * std::size_t(most) < budgetBytes)
+    edge *= 2;
   slots_ = ivec3(edge / kStoredSize, edge / kStoredSize, 0);
-  const std::size_t depth = std::bit_floor(std::max<std::size_t>(budgetBytes / (std::size_t(edge) * std::size_t(edge)), 32));
+  const std::size_t depth =
+      std::bit_floor(std::max<std::size_t>(budgetBytes / (std::size_t(edge) * std::size_t(edge)), 32));
   maxLayers_ = std::min(depth, std::size_t(most)) / kStoredSize;
   maxSlots_ = std::size_t(slots_.x) * std::size_t(slots_.y) * maxLayers_;
   reserveSlots(1);
@@ -56,7 +59,9 @@ bool BrickPool::reserveSlots(std::size_t count) {
   grown.filter(GL_LINEAR);
   // llvmpipe filters R8 in 8 bits with CLAMP_TO_EDGE; with a border it filters in float.
   grown.wrap(GL_CLAMP_TO_BORDER);
-  if (atlas_) glCopyImageSubData(atlas_.id(), GL_TEXTURE_3D, 0, 0, 0, 0, grown.id(), GL_TEXTURE_3D, 0, 0, 0, 0, atlas_.size().x, atlas_.size().y, atlas_.size().z);
+  if (atlas_)
+    glCopyImageSubData(atlas_.id(), GL_TEXTURE_3D, 0, 0, 0, 0, grown.id(), GL_TEXTURE_3D, 0, 0, 0, 0,
+                       atlas_.size().x, atlas_.size().y, atlas_.size().z);
   atlas_ = std::move(grown);
   std::vector<std::uint32_t> fresh;
   for (std::size_t s = layers * layer; s-- > have;) fresh.push_back(std::uint32_t(s));
@@ -96,9 +101,12 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
   while (total > maxSlots_) {
     std::size_t worst = wanted.size();
     for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (finest[i] + 1 < int(wanted[i]->levels.size()) && (worst == wanted.size() || need[i] > need[worst])) worst = i;
+      if (finest[i] + 1 < int(wanted[i]->levels.size()) && (worst == wanted.size() || need[i] > need[worst]))
+        worst = i;
     if (worst == wanted.size())
-      return fail(Code::Gpu, "{} grids do not fit into {} MiB of GPU memory for bricks even at their coarsest level", wanted.size(), out.budgetBytes >> 20);
+      return fail(Code::Gpu,
+                  "{} grids do not fit into {} MiB of GPU memory for bricks even at their coarsest level",
+                  wanted.size(), out.budgetBytes >> 20);
     total -= need[worst];
     total += need[worst] = payloads(*wanted[worst], ++finest[worst]);
   }
@@ -124,8 +132,11 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
   while (missing > 0 && !reserveSlots(missing)) {
     auto oldest = entries_.end();
     for (auto it = entries_.begin(); it != entries_.end(); ++it)
-      if (it->second.lastUse < clock_ && (oldest == entries_.end() || it->second.lastUse < oldest->second.lastUse)) oldest = it;
-    if (oldest == entries_.end()) return fail(Code::Gpu, "the brick pool is full ({} MiB)", out.budgetBytes >> 20);
+      if (it->second.lastUse < clock_ &&
+          (oldest == entries_.end() || it->second.lastUse < oldest->second.lastUse))
+        oldest = it;
+    if (oldest == entries_.end())
+      return fail(Code::Gpu, "the brick pool is full ({} MiB)", out.budgetBytes >> 20);
     release(oldest->second);
     entries_.erase(oldest);
     changed = true;
@@ -139,9 +150,10 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
       free_.pop_back();
       e.slotOfPayload[payload] = slot;
       const int s = int(slot);
-      const ivec3 at = kStoredSize * ivec3(s % slots_.x, (s / slots_.x) % slots_.y, s / (slots_.x * slots_.y));
-      glTextureSubImage3D(atlas_.id(), 0, at.x, at.y, at.z, kStoredSize, kStoredSize, kStoredSize, GL_RED, GL_UNSIGNED_BYTE,
-                          e.grid->payload.get() + std::size_t(payload) * kStoredVoxels);
+      const ivec3 at =
+          kStoredSize * ivec3(s % slots_.x, (s / slots_.x) % slots_.y, s / (slots_.x * slots_.y));
+      glTextureSubImage3D(atlas_.id(), 0, at.x, at.y, at.z, kStoredSize, kStoredSize, kStoredSize, GL_RED,
+                          GL_UNSIGNED_BYTE, e.grid->payload.get() + std::size_t(payload) * kStoredVoxels);
       changed = true;
     }
     all += e.order.size();
@@ -162,10 +174,13 @@ void BrickPool::rebuildTables() {
       levels.push_back({ivec4(level.bricks, int(pages.size()))});
       for (const volume::Brick& b : level.table) {
         const bool stored = b.payload != kConstantBrick && e.slotOfPayload[b.payload] != kConstantBrick;
-        // A brick that is not resident shows its mean value: only seen below `finest`, where sampling never looks.
-        const float offset = b.payload == kConstantBrick || stored ? b.offset : 0.5f * (b.minimum + b.maximum);
-        pages.push_back(uvec4(stored ? packed(e.slotOfPayload[b.payload], slots_) : PAGE_CONSTANT, std::bit_cast<std::uint32_t>(offset),
-                              std::bit_cast<std::uint32_t>(b.scale), std::bit_cast<std::uint32_t>(b.maximum)));
+        // A brick that is not resident shows its mean value: only seen below `finest`, where sampling never
+        // looks.
+        const float offset =
+            b.payload == kConstantBrick || stored ? b.offset : 0.5f * (b.minimum + b.maximum);
+        pages.push_back(uvec4(stored ? packed(e.slotOfPayload[b.payload], slots_) : PAGE_CONSTANT,
+                              std::bit_cast<std::uint32_t>(offset), std::bit_cast<std::uint32_t>(b.scale),
+                              std::bit_cast<std::uint32_t>(b.maximum)));
       }
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
-// Bricks on the GPU: one R8 atlas of 18^3 slots and one page table buffer for all grids. Grids stay resident until room is needed;
-// where a scene does not fit the budget, the largest grids are kept at a coarser mip (and said so). GL thread only.
+// Bricks on the GPU: one R8 atlas of 18^3 slots and one page table buffer for all grids. Grids stay resident
+// until room is needed; where a scene does not fit the budget, the largest grids are kept at a coarser mip
+// (and said so). GL thread only.
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -14,14 +15,14 @@ namespace pileus::residency {
 
 /// Where a resident grid's levels are.
 struct ResidentGrid {
-  int firstLevel = 0;      ///< index of its level 0 in the level buffer
+  int firstLevel = 0;  ///< index of its level 0 in the level buffer
   int levels = 0;
-  int finest = 0;          ///< finest level with voxels on the GPU; sampling clamps to it
+  int finest = 0;  ///< finest level with voxels on the GPU; sampling clamps to it
 };
 
 struct Residency {
-  double fraction = 1;     ///< of the bricks wanted; 1 = all there
-  int coarsened = 0;       ///< grids kept at a coarser level than 0
+  double fraction = 1;  ///< of the bricks wanted; 1 = all there
+  int coarsened = 0;    ///< grids kept at a coarser level than 0
   std::size_t wantedBytes = 0, budgetBytes = 0;
 };
 
@@ -29,8 +30,8 @@ class BrickPool {
  public:
   BrickPool(const gl::DeviceInfo& device, std::size_t budgetBytes);
 
-  /// Makes the grids resident, uploading for about `ms` milliseconds; call again while fraction < 1. Grids not named may be evicted.
-  /// Error (Gpu) where not even the coarsest levels fit.
+  /// Makes the grids resident, uploading for about `ms` milliseconds; call again while fraction < 1. Grids
+  /// not named may be evicted. Error (Gpu) where not even the coarsest levels fit.
   Result<Residency> ensure(std::span<const volume::GridPtr> grids, double ms);
   /// Only after ensure() said 1 for it.
   const ResidentGrid* find(const volume::BrickGrid& grid) const;
@@ -39,7 +40,9 @@ class BrickPool {
   ivec3 atlasSize() const { return atlas_.size(); }  ///< texels
   std::size_t bytes() const { return atlas_.bytes(); }
   std::size_t budget() const { return budget_; }
-  std::size_t residentBricks() const { return std::size_t(slots_.x) * std::size_t(slots_.y) * std::size_t(slots_.z) - free_.size(); }
+  std::size_t residentBricks() const {
+    return std::size_t(slots_.x) * std::size_t(slots_.y) * std::size_t(slots_.z) - free_.size();
+  }
   /// Grows with every upload or eviction; part of what a cached record depends on.
   std::uint64_t generation() const { return generation_; }
 
@@ -48,9 +51,9 @@ class BrickPool {
     volume::GridPtr grid;
     ResidentGrid place;
     int wantedFinest = 0;
-    std::vector<std::uint32_t> slotOfPayload;   ///< kConstantBrick: not uploaded
-    std::size_t nextPayload = 0;                ///< upload cursor over `order`
-    std::vector<std::uint32_t> order;           ///< payload indices to upload, coarse levels first
+    std::vector<std::uint32_t> slotOfPayload;  ///< kConstantBrick: not uploaded
+    std::size_t nextPayload = 0;               ///< upload cursor over `order`
+    std::vector<std::uint32_t> order;          ///< payload indices to upload, coarse levels first
     std::uint64_t lastUse = 0;
   };
   void release(Entry& entry);
@@ -62,7 +65,7 @@ class BrickPool {
   std::size_t maxSlots_ = 0, maxLayers_ = 0;
   ivec3 slots_{0};
   gl::Texture atlas_;
-  std::vector<std::uint32_t> free_;             ///< slots free below the atlas's current size, highest first
+  std::vector<std::uint32_t> free_;  ///< slots free below the atlas's current size, highest first
   std::unordered_map<Key, Entry> entries_;
   gl::Buffer pages_{"brick pages"}, levels_{"brick levels"};
   std::uint64_t clock_ = 0, generation_ = 0;

@@ -20,7 +20,9 @@ void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds, int modul
   longest_ = *std::max_element(offsets.begin(), offsets.end());
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
   std::vector<int> items(std::size_t(offsets.back())), at(offsets.begin(), offsets.end() - 1);
-  for (std::size_t i = 0; i < bounds.size(); ++i) each(bounds[i], [&](std::size_t tile) { items[std::size_t(at[tile]++)] = modulo > 0 ? int(i) % modulo : int(i); });
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    each(bounds[i],
+         [&](std::size_t tile) { items[std::size_t(at[tile]++)] = modulo > 0 ? int(i) % modulo : int(i); });
   offsets_.assign(std::span<const int>(offsets));
   items_.assign(std::span<const int>(items));
 }

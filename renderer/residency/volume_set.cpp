@@ -57,7 +57,8 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
     const dvec3 origin(i.grid->origin);
     worldFromLocal = glm::translate(worldFromLocal, origin);
     bounds = {bounds.min - origin, bounds.max - origin};
-    if (const ResidentGrid* place = pool.find(*i.grid)) r.shape = ivec4(SHAPE_GRID, place->firstLevel, place->levels, place->finest);
+    if (const ResidentGrid* place = pool.find(*i.grid))
+      r.shape = ivec4(SHAPE_GRID, place->firstLevel, place->levels, place->finest);
   } else {
     r.shape = ivec4(i.shape == volume::Shape::Box ? SHAPE_BOX : SHAPE_BALL, 0, 0, 0);
   }
@@ -79,10 +80,13 @@ volume::InstanceList sorted(const volume::InstanceList& instances, bool withEmis
   std::vector<std::pair<Key, volume::Instance>> keyed;
   for (const volume::Instance& i : instances) {
     const bool seen = volume::majorant(i) > 0 || (withEmission && volume::emits(i));
-    if (volume::localBounds(i).empty() || !seen || std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) < 1e-300) continue;
+    if (volume::localBounds(i).empty() || !seen ||
+        std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) < 1e-300)
+      continue;
     keyed.emplace_back(volume::contentKey({i}), i);
   }
-  std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   volume::InstanceList out;
   for (auto& [key, i] : keyed) out.push_back(std::move(i));
   return out;
@@ -92,7 +96,9 @@ volume::InstanceList sorted(const volume::InstanceList& instances, bool withEmis
 
 volume::InstanceList canonical(const volume::InstanceList& instances) { return sorted(instances, false); }
 
-volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances) { return sorted(instances, true); }
+volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances) {
+  return sorted(instances, true);
+}
 
 Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList& instances, double ms) {
   const Key content = volume::contentKey(instances);
@@ -100,7 +106,8 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     instances_ = instances;
     content_ = content;
     shapes_ = 0;
-    for (const volume::Instance& i : instances_) shapes_ |= (i.shape == volume::Shape::Grid ? 1 : 2) | (tableOf(i) ? 4 : 0);
+    for (const volume::Instance& i : instances_)
+      shapes_ |= (i.shape == volume::Shape::Grid ? 1 : 2) | (tableOf(i) ? 4 : 0);
     generation_ = ~std::uint64_t(0) - 1;
   }
   std::vector<volume::GridPtr> grids;

@@ -7,15 +7,17 @@
 
 namespace pileus::residency {
 
-/// The media among them, sorted by content, so that the order of links never changes a bit of a result; instances that cannot be seen (no
-/// voxels, zero extinction or density, no extent) and those that only emit are left out: every map, march and measurement begins with this.
+/// The media among them, sorted by content, so that the order of links never changes a bit of a result;
+/// instances that cannot be seen (no voxels, zero extinction or density, no extent) and those that only emit
+/// are left out: every map, march and measurement begins with this.
 volume::InstanceList canonical(const volume::InstanceList& instances);
 /// The same with those that emit: what a camera sees.
 volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances);
 
 class VolumeSet {
  public:
-  /// Makes the grids resident within `ms`; once fraction is 1 the records are uploaded in the order given and bind() may be called.
+  /// Makes the grids resident within `ms`; once fraction is 1 the records are uploaded in the order given and
+  /// bind() may be called.
   Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms);
   /// Records and bricks to their binding points; atlas uniforms into the program.
   void bind(const BrickPool& pool, gl::Program& program) const;

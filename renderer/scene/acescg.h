@@ -11,6 +11,8 @@ inline dvec3 acescgFromXyz(const dvec3& xyz) {
           0.0117218943 * xyz.x - 0.0082844420 * xyz.y + 0.9883948585 * xyz.z};
 }
 
-inline double acescgLuminance(const dvec3& rgb) { return glm::dot(rgb, dvec3(0.2722287168, 0.6740817658, 0.0536895174)); }
+inline double acescgLuminance(const dvec3& rgb) {
+  return glm::dot(rgb, dvec3(0.2722287168, 0.6740817658, 0.0536895174));
+}
 
 }  // namespace pileus::scene

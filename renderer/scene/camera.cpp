@@ -8,7 +8,8 @@ glm::dmat3 basis(const Camera& camera) {
   dvec3 back = camera.eye - camera.target;
   back = glm::length(back) > 1e-12 ? glm::normalize(back) : dvec3(0, 0, 1);
   dvec3 right = glm::cross(camera.up, back);
-  if (glm::length(right) < 1e-9) right = glm::cross(std::abs(back.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, -1), back);
+  if (glm::length(right) < 1e-9)
+    right = glm::cross(std::abs(back.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(0, 0, -1), back);
   right = glm::normalize(right);
   return {right, glm::cross(back, right), back};
 }

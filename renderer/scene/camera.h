@@ -13,7 +13,8 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// Columns right, up, back (world from camera); falls back to another up vector where `up` is parallel to the view.
+/// Columns right, up, back (world from camera); falls back to another up vector where `up` is parallel to the
+/// view.
 glm::dmat3 basis(const Camera& camera);
 
 /// The direction (normalised) through image coordinates in [0,1]^2, y down.

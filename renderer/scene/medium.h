@@ -1,5 +1,6 @@
 #pragma once
-// What a volume's density means optically. sigma_t = density * extinction [1/m]; a transform never changes it.
+// What a volume's density means optically. sigma_t = density * extinction [1/m]; a transform never changes
+// it.
 #include "renderer/base/math.h"
 
 namespace pileus::scene {

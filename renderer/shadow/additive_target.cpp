@@ -34,7 +34,8 @@ void AdditiveTarget::attach(GLuint texture, int first, int layers, ivec2 origin,
   glViewport(origin.x, origin.y, edge, edge);
   glScissor(origin.x, origin.y, edge, edge);
   const vec4 zero(0);
-  for (int layer = 0; clear && layer < layers; ++layer) glClearNamedFramebufferfv(framebuffer_, GL_COLOR, layer, &zero.x);
+  for (int layer = 0; clear && layer < layers; ++layer)
+    glClearNamedFramebufferfv(framebuffer_, GL_COLOR, layer, &zero.x);
 }
 
 }  // namespace pileus::shadow

@@ -1,5 +1,6 @@
 #pragma once
-// Frame buffer, viewport and blending for additive drawing into layers of a map; puts back what it found. GL thread.
+// Frame buffer, viewport and blending for additive drawing into layers of a map; puts back what it found. GL
+// thread.
 #include <epoxy/gl.h>
 
 #include "renderer/base/math.h"
@@ -13,7 +14,8 @@ class AdditiveTarget {
   AdditiveTarget(const AdditiveTarget&) = delete;
   AdditiveTarget& operator=(const AdditiveTarget&) = delete;
 
-  /// `layers` (at most 8) consecutive layers from `first`; viewport and scissor a square of `edge` texels at `origin`.
+  /// `layers` (at most 8) consecutive layers from `first`; viewport and scissor a square of `edge` texels at
+  /// `origin`.
   void attach(GLuint texture, int first, int layers, ivec2 origin, int edge, bool clear);
   GLuint framebuffer() const { return framebuffer_; }
 

@@ -19,7 +19,8 @@ void projectStep(Basis basis, std::span<double> c, double m, double u0, double u
     case Basis::Piecewise:  // over a single interval
     case Basis::Cosine:
       c[0] += m;
-      for (std::size_t k = 1; k < n; ++k) c[k] += 2 * m * std::cos(kPi * double(k) * mid) * sinc(kPi * double(k) * half);
+      for (std::size_t k = 1; k < n; ++k)
+        c[k] += 2 * m * std::cos(kPi * double(k) * mid) * sinc(kPi * double(k) * half);
       break;
     case Basis::Fourier:
       c[0] += 2 * m;
@@ -33,7 +34,8 @@ void projectStep(Basis basis, std::span<double> c, double m, double u0, double u
       if (hi - lo < 1e-6) {
         c[std::min(std::size_t(lo), n - 1)] += m;
       } else {
-        for (std::size_t j = 0; j < n; ++j) c[j] += m * std::max(std::min(hi, double(j + 1)) - std::max(lo, double(j)), 0.0) / (hi - lo);
+        for (std::size_t j = 0; j < n; ++j)
+          c[j] += m * std::max(std::min(hi, double(j + 1)) - std::max(lo, double(j)), 0.0) / (hi - lo);
       }
     }
   }
@@ -62,7 +64,9 @@ double basisValue(Basis basis, std::span<const double> c, double u) {
         value += c[i] * (i % 2 == 1 ? std::cos(w) : std::sin(w));
       }
       break;
-    case Basis::Slab: value = c[std::min(std::size_t(std::max(u, 0.0) * double(n)), n - 1)] * double(n); break;
+    case Basis::Slab:
+      value = c[std::min(std::size_t(std::max(u, 0.0) * double(n)), n - 1)] * double(n);
+      break;
   }
   return value;
 }
@@ -84,7 +88,8 @@ double basisTau(Basis basis, std::span<const double> c, double u) {
       }
       break;
     case Basis::Slab:
-      for (std::size_t j = 0; j < n; ++j) tau += c[j] * std::clamp(std::clamp(u, 0.0, 1.0) * double(n) - double(j), 0.0, 1.0);
+      for (std::size_t j = 0; j < n; ++j)
+        tau += c[j] * std::clamp(std::clamp(u, 0.0, 1.0) * double(n) - double(j), 0.0, 1.0);
       return tau;
   }
   return std::clamp(tau, 0.0, std::max(basisTotal(basis, c), 0.0));

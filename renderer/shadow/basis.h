@@ -15,7 +15,8 @@ double basisTau(Basis basis, std::span<const double> c, double u);
 double basisValue(Basis basis, std::span<const double> c, double u);
 double basisTotal(Basis basis, std::span<const double> c);
 
-/// Piecewise cosines over `count` intervals: adds m spread over [v0, v1] of interval j; optical depth in front of v of interval j.
+/// Piecewise cosines over `count` intervals: adds m spread over [v0, v1] of interval j; optical depth in
+/// front of v of interval j.
 void projectPiece(std::span<double> c, double m, int count, int j, double v0, double v1);
 double pieceTau(std::span<const double> c, int count, int j, double v);
 

@@ -12,11 +12,15 @@ namespace {
 constexpr int kMostDoublings = 14;  ///< from 5e-5 to more than 0.5
 
 /// Twin of boundAfter in deep_map.comp.glsl.
-double boundAfter(double errorBound, int doublings) { return doublings == 0 ? errorBound : std::ldexp(std::max(errorBound, 5e-5), doublings); }
+double boundAfter(double errorBound, int doublings) {
+  return doublings == 0 ? errorBound : std::ldexp(std::max(errorBound, 5e-5), doublings);
+}
 
 }  // namespace
 
-DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, const LightFrustum& frustum)
+DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light,
+                               const volume::InstanceList& volumes, const scene::SolidList& solids,
+                               const LightFrustum& frustum)
     : map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, spec.resolution, 64) {
   map_->kind = ShadowMap::Kind::Deep;
   map_->light = light;
@@ -53,8 +57,10 @@ bool DeepShadowPass::overBudget() const {
   const ivec2 origin = pass_.regionOrigin(), size = pass_.regionEnd() - origin;
   std::vector<uvec4> counts(std::size_t(size.x) * std::size_t(size.y));
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glGetTextureSubImage(counts_.id(), 0, origin.x, origin.y, 0, size.x, size.y, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)), counts.data());
-  return std::any_of(counts.begin(), counts.end(), [&](const uvec4& c) { return int(c.x) > map_->spec.nodeBudget; });
+  glGetTextureSubImage(counts_.id(), 0, origin.x, origin.y, 0, size.x, size.y, 1, GL_RGBA_INTEGER,
+                       GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)), counts.data());
+  return std::any_of(counts.begin(), counts.end(),
+                     [&](const uvec4& c) { return int(c.x) > map_->spec.nodeBudget; });
 }
 
 /// Gives each texel its place behind the headers.
@@ -63,7 +69,8 @@ Result<void> DeepShadowPass::place(const Gpu& gpu) {
   const ivec2 tall = pass_.tallSize();
   std::vector<uvec4> counts(std::size_t(tall.x) * std::size_t(tall.y));
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glGetTextureImage(counts_.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)), counts.data());
+  glGetTextureImage(counts_.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)),
+                    counts.data());
   std::vector<uvec2> headers(std::size_t(edge) * std::size_t(edge) * std::size_t(faces));
   statistics_ = {};
   statistics_.texels = headers.size();
@@ -71,14 +78,17 @@ Result<void> DeepShadowPass::place(const Gpu& gpu) {
   for (int face = 0; face < faces; ++face)
     for (int y = 0; y < edge; ++y)
       for (int x = 0; x < edge; ++x) {
-        uvec4& c = counts[std::size_t(face * (faces > 1 ? stride : 0) + y) * std::size_t(tall.x) + std::size_t(x)];
+        uvec4& c =
+            counts[std::size_t(face * (faces > 1 ? stride : 0) + y) * std::size_t(tall.x) + std::size_t(x)];
         c.w = std::uint32_t(next);
         headers[header++] = uvec2(c.w, c.x);
         next += c.x;
         statistics_.vertices += c.x;
         statistics_.rawVertices += c.y;
         if (c.z > 0) ++statistics_.overBudget;
-        if (c.x > 0) statistics_.worstBound = std::max(statistics_.worstBound, boundAfter(map_->spec.errorBound, int(c.z)));
+        if (c.x > 0)
+          statistics_.worstBound =
+              std::max(statistics_.worstBound, boundAfter(map_->spec.errorBound, int(c.z)));
       }
   PILEUS_TRY(map_->deep, gpu.store.allocateDeep(next));
   map_->deep->write(0, headers);

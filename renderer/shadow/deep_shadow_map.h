@@ -1,6 +1,6 @@
 #pragma once
-// Deep shadow map (Lokovic and Veach 2000): per texel a piecewise-linear transmittance, compressed under an error bound. Two marches:
-// one counts the vertices of each texel, one writes them to their place.
+// Deep shadow map (Lokovic and Veach 2000): per texel a piecewise-linear transmittance, compressed under an
+// error bound. Two marches: one counts the vertices of each texel, one writes them to their place.
 #include <optional>
 
 #include "renderer/gl/texture.h"
@@ -13,15 +13,16 @@ namespace pileus::shadow {
 struct DeepStatistics {
   std::size_t vertices = 0, rawVertices = 0;  ///< kept; before compression
   std::size_t texels = 0;
-  std::size_t overBudget = 0;                 ///< texels whose bound was raised to stay within the node budget
-  double worstBound = 0;                      ///< the largest bound used
+  std::size_t overBudget = 0;  ///< texels whose bound was raised to stay within the node budget
+  double worstBound = 0;       ///< the largest bound used
   double compression() const { return vertices ? double(rawVertices) / double(vertices) : 1; }
 };
 
 class DeepShadowPass {
  public:
   /// Reads errorBound, nodeBudget, filter and resolution of the spec.
-  DeepShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, const LightFrustum& frustum);
+  DeepShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes,
+                 const scene::SolidList& solids, const LightFrustum& frustum);
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const Gpu& gpu, double ms);
   std::shared_ptr<const ShadowMap> map() const { return map_; }

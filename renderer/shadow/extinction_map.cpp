@@ -14,8 +14,11 @@ constexpr int kSoftwareEdge = 64;  // of a region
 
 }  // namespace
 
-ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum)
-    : options_(options), map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, options.resolution, kSoftwareEdge) {
+ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,
+                               const volume::InstanceList& volumes, const LightFrustum& frustum)
+    : options_(options),
+      map_(std::make_shared<ShadowMap>()),
+      pass_(volumes, frustum, options.resolution, kSoftwareEdge) {
   map_->light = light;
   map_->volumes = pass_.volumes();
   map_->basis = options.basis == Basis::Piecewise ? Basis::Cosine : options.basis;  // no intervals
@@ -26,7 +29,8 @@ ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Li
   map_->spec.metric.metric = Metric::None;
 }
 
-ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric)
+ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options,
+                               std::shared_ptr<const PseudometricMap> metric)
     : ExtinctionPass(options, metric->light, metric->volumes, metric->frustum) {
   map_->spec.metric = metric->options;
   if (metric->options.metric == Metric::Interval) map_->basis = options.basis;
@@ -40,11 +44,18 @@ void ExtinctionPass::remember(const scene::SolidList& solids, const ShadowSpec& 
 
 Result<void> ExtinctionPass::allocate(const Gpu& gpu) {
   const int faces = map_->frustum.faces();
-  const bool horizon = map_->metric && map_->metric->options.metric == Metric::Interval && map_->metric->options.horizon > 0;
-  if (splats() && horizon) return fail(Code::Input, "accumulation: splatting knows no horizon; gather, or set the metric's horizon to 0");
+  const bool horizon =
+      map_->metric && map_->metric->options.metric == Metric::Interval && map_->metric->options.horizon > 0;
+  if (splats() && horizon)
+    return fail(Code::Input,
+                "accumulation: splatting knows no horizon; gather, or set the metric's horizon to 0");
   if (map_->basis == Basis::Piecewise && options_.coefficients < map_->metric->options.intervals)
-    return fail(Code::Input, "coefficients: {} are too few for the metric's {} intervals, each of which needs one", options_.coefficients, map_->metric->options.intervals);
-  PILEUS_TRY(map_->block, gpu.store.allocate(options_.storage == Storage::Float ? Texels::Float : Texels::Half, options_.resolution, (options_.coefficients + 3) / 4, faces));
+    return fail(Code::Input,
+                "coefficients: {} are too few for the metric's {} intervals, each of which needs one",
+                options_.coefficients, map_->metric->options.intervals);
+  PILEUS_TRY(map_->block,
+             gpu.store.allocate(options_.storage == Storage::Float ? Texels::Float : Texels::Half,
+                                options_.resolution, (options_.coefficients + 3) / 4, faces));
   if (horizon) {
     PILEUS_TRY(map_->horizon, gpu.store.allocate(Texels::Pair, options_.resolution, 1, faces));
   }
@@ -65,8 +76,10 @@ Result<double> ExtinctionPass::step(const Gpu& gpu, double ms) {
   if (splats() && splatted_ < volumes) return 0.3 + 0.6 * splatted_ / volumes;
   const bool marks = map_->metric && map_->metric->options.metric == Metric::Interval;
   do {
-    if (!splats()) PILEUS_CHECK(gather(gpu));
-    else if (marks) PILEUS_CHECK(mark(gpu));
+    if (!splats())
+      PILEUS_CHECK(gather(gpu));
+    else if (marks)
+      PILEUS_CHECK(mark(gpu));
     pass_.next();
   } while (!pass_.done() && clock.ms() < ms);
   return splats() ? 0.9 + 0.1 * pass_.fraction() : 0.3 + 0.7 * pass_.fraction();
@@ -91,8 +104,9 @@ gl::Defines ExtinctionPass::defines() const {
 }
 
 int ExtinctionPass::batch(const Gpu& gpu) const {
-  // llvmpipe ends all loops of an invocation once they have run 65535 times in total. A volume costs at most two iterations a step; lanes
-  // that find their steps at different places wait for each other, which the room left here is for.
+  // llvmpipe ends all loops of an invocation once they have run 65535 times in total. A volume costs at most
+  // two iterations a step; lanes that find their steps at different places wait for each other, which the
+  // room left here is for.
   constexpr double kOneDispatch = 20000;
   if (!gpu.device.software) return 0;
   const int volumes = std::max(1, static_cast<int>(kOneDispatch / (2 * mostSteps(pass_.volumes()))));
@@ -109,8 +123,11 @@ Result<void> ExtinctionPass::gather(const Gpu& gpu) {
     sums_.reserve(kTexels * static_cast<std::size_t>(options_.coefficients + 2) * sizeof(float));
     sums_.bindStorage(BIND_MARCH_STATES);
   }
-  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->block->format());
-  if (map_->horizon) glBindImageTexture(IMAGE_TARGET + 1, map_->horizon->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->horizon->format());
+  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                     map_->block->format());
+  if (map_->horizon)
+    glBindImageTexture(IMAGE_TARGET + 1, map_->horizon->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                       map_->horizon->format());
   for (int i = 0; i < batches; ++i) {
     if (volumes > 0) program->set("batch", ivec2(i, volumes));
     pass_.dispatch(gpu, *program);
@@ -122,13 +139,17 @@ Result<void> ExtinctionPass::gather(const Gpu& gpu) {
 Result<void> ExtinctionPass::splat(const Gpu& gpu) {
   const gpu::BlockRecord block = map_->block->record();
   const int edge = block.place.z, layers = block.kind.y;
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_splat.vert.glsl", "shadow/extinction_splat.frag.glsl"}, defines()));
+  PILEUS_TRY(gl::Program * program,
+             gpu.shaders.program({"shadow/extinction_splat.vert.glsl", "shadow/extinction_splat.frag.glsl"},
+                                 defines()));
   if (splatted_ == 0) bounds_ = mapBounds(pass_.volumes(), map_->frustum, edge, pass_.faceStride());
   AdditiveTarget target;
   for (int face = 0; face < block.kind.z; ++face) {
-    target.attach(map_->block->texture(), block.place.w + face * layers, layers, ivec2(block.place), edge, splatted_ == 0);
+    target.attach(map_->block->texture(), block.place.w + face * layers, layers, ivec2(block.place), edge,
+                  splatted_ == 0);
     if (pass_.volumes().empty()) continue;
-    const residency::PixelBounds& b = bounds_[std::size_t(face) * pass_.volumes().size() + std::size_t(splatted_)];
+    const residency::PixelBounds& b =
+        bounds_[std::size_t(face) * pass_.volumes().size() + std::size_t(splatted_)];
     if (b.min.x >= b.max.x || b.min.y >= b.max.y) continue;
     const ivec2 origin = ivec2(block.place) + b.min - ivec2(0, face * pass_.faceStride());
     glScissor(origin.x, origin.y, b.max.x - b.min.x, b.max.y - b.min.y);
@@ -147,7 +168,8 @@ Result<void> ExtinctionPass::splat(const Gpu& gpu) {
 Result<void> ExtinctionPass::mark(const Gpu& gpu) {
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_mark.comp.glsl"}, defines()));
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_READ_WRITE, map_->block->format());
+  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_READ_WRITE,
+                     map_->block->format());
   pass_.dispatch(gpu, *program);
   return {};
 }

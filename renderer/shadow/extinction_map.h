@@ -1,17 +1,19 @@
 #pragma once
-// The extinction map: optical depth projected on a small basis over the pseudometric (Gautron et al. 2011, pass 2). Without a metric it
-// is a Fourier opacity map (Jansen and Bavoil 2010) or its cosine kin.
+// The extinction map: optical depth projected on a small basis over the pseudometric (Gautron et al. 2011,
+// pass 2). Without a metric it is a Fourier opacity map (Jansen and Bavoil 2010) or its cosine kin.
 #include "renderer/shadow/shadow_map.h"
 
 namespace pileus::shadow {
 
 class ExtinctionPass {
  public:
-  /// With a metric: its frustum, light and volumes. Errors of the first step (Input): splatting with a horizon, which needs a gather;
-  /// cosines per interval with fewer coefficients than the metric has intervals.
+  /// With a metric: its frustum, light and volumes. Errors of the first step (Input): splatting with a
+  /// horizon, which needs a gather; cosines per interval with fewer coefficients than the metric has
+  /// intervals.
   ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric);
   /// Euclidean.
-  ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum);
+  ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,
+                 const volume::InstanceList& volumes, const LightFrustum& frustum);
   /// Works for about `ms` milliseconds (at least one region or volume); the fraction done, 1 = finished.
   Result<double> step(const Gpu& gpu, double ms);
   /// Solids and the spec that the map remembers; they change nothing in it.
@@ -33,8 +35,8 @@ class ExtinctionPass {
   ExtinctionOptions options_;
   std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
-  gl::Buffer sums_{"extinction sums"};  ///< of a region's texels, between batches
-  int splatted_ = 0;  ///< volumes drawn so far
+  gl::Buffer sums_{"extinction sums"};          ///< of a region's texels, between batches
+  int splatted_ = 0;                            ///< volumes drawn so far
   std::vector<residency::PixelBounds> bounds_;  ///< of all volumes on the map, for splatting
 };
 

@@ -3,7 +3,9 @@
 namespace pileus::shadow {
 namespace {
 
-double faceScale(const LightFrustum& f, int resolution) { return f.kind == scene::LightKind::Point ? 1 - 2.0 / resolution : 1; }
+double faceScale(const LightFrustum& f, int resolution) {
+  return f.kind == scene::LightKind::Point ? 1 - 2.0 / resolution : 1;
+}
 
 LightFrustum fitSun(const scene::Light& sun, const volume::InstanceList& media, int resolution) {
   const dvec3 along = -glm::normalize(sun.towards);
@@ -20,8 +22,8 @@ LightFrustum fitSun(const scene::Light& sun, const volume::InstanceList& media, 
   }
   if (box.empty()) box = {dvec3(-0.5), dvec3(0.5)};
   dvec3 size = glm::max(box.size(), dvec3(1e-6 * (1.0 + glm::length(box.center()))));
-  // Across: one texel of border on each side, the lower corner on a multiple of the texel size. Along: a hair of room, so that no face
-  // lies exactly on the near or far plane.
+  // Across: one texel of border on each side, the lower corner on a multiple of the texel size. Along: a hair
+  // of room, so that no face lies exactly on the near or far plane.
   const double texels = std::max(resolution - 3, 1);
   for (int a = 0; a < 2; ++a) {
     const double texel = size[a] / texels;
@@ -39,7 +41,9 @@ LightFrustum fitSun(const scene::Light& sun, const volume::InstanceList& media, 
 }
 
 /// Nearest point of a box's surface or inside: 0 there.
-double distanceTo(const Box3& box, const dvec3& p) { return glm::length(glm::max(glm::max(box.min - p, p - box.max), dvec3(0))); }
+double distanceTo(const Box3& box, const dvec3& p) {
+  return glm::length(glm::max(glm::max(box.min - p, p - box.max), dvec3(0)));
+}
 
 LightFrustum fitLocal(const scene::Light& light, const volume::InstanceList& media) {
   LightFrustum out;
@@ -86,7 +90,8 @@ MapPoint mapCoordinates(const LightFrustum& f, const dvec3& world, int resolutio
 }
 
 MapSegment mapSegment(const LightFrustum& f, int face, dvec2 uv, int resolution) {
-  if (!f.perspective()) return {dvec3(f.worldFromLight * dvec4(uv, 0, 1)), dvec3(f.worldFromLight * dvec4(uv, 1, 1))};
+  if (!f.perspective())
+    return {dvec3(f.worldFromLight * dvec4(uv, 0, 1)), dvec3(f.worldFromLight * dvec4(uv, 1, 1))};
   const dvec2 across = (2.0 * uv - 1.0) / faceScale(f, resolution) * f.tanHalf;
   dvec3 q(across, 1);
   if (f.kind == scene::LightKind::Point) {

@@ -7,25 +7,32 @@
 
 namespace pileus::shadow {
 
-/// Sun: an oriented box. Spot: a pyramid about its cone. Point: six pyramids about the axes (cube faces), each a texel wider than 90
-/// degrees. Twins of mapCoordinates and mapRay in lib/light.glsl.
+/// Sun: an oriented box. Spot: a pyramid about its cone. Point: six pyramids about the axes (cube faces),
+/// each a texel wider than 90 degrees. Twins of mapCoordinates and mapRay in lib/light.glsl.
 struct LightFrustum {
   scene::LightKind kind = scene::LightKind::Sun;
-  /// Sun: (u, v, x) in [0,1]^3 -> world; columns u and v point right and down the map, x away from the light. Else rigid: light at the
-  /// origin, z along the axis.
+  /// Sun: (u, v, x) in [0,1]^3 -> world; columns u and v point right and down the map, x away from the light.
+  /// Else rigid: light at the origin, z along the axis.
   dmat4 worldFromLight{1.0};
   double nearDistance = 0, farDistance = 1;  ///< Point, Spot: metres from the light at x = 0 and 1
   double tanHalf = 1;                        ///< Point, Spot: of a face's half angle (without the border)
 
   bool perspective() const { return kind != scene::LightKind::Sun; }
   int faces() const { return kind == scene::LightKind::Point ? 6 : 1; }
-  double depth() const { return perspective() ? farDistance - nearDistance : glm::length(dvec3(worldFromLight[2])); }  ///< metres from x = 0 to 1
-  double width() const { return perspective() ? 2 * tanHalf * farDistance : glm::length(dvec3(worldFromLight[0])); }   ///< metres along u (at the far end)
+  double depth() const {
+    return perspective() ? farDistance - nearDistance : glm::length(dvec3(worldFromLight[2]));
+  }  ///< metres from x = 0 to 1
+  double width() const {
+    return perspective() ? 2 * tanHalf * farDistance : glm::length(dvec3(worldFromLight[0]));
+  }  ///< metres along u (at the far end)
   double height() const { return perspective() ? width() : glm::length(dvec3(worldFromLight[1])); }
-  double texelSize(int resolution) const { return std::max(width(), height()) / resolution; }  ///< metres (at the far end)
+  double texelSize(int resolution) const {
+    return std::max(width(), height()) / resolution;
+  }  ///< metres (at the far end)
 };
 
-/// Where a world point lies: (u, v, x), each in [0,1] inside; and on which face. u = -1 where no face sees it.
+/// Where a world point lies: (u, v, x), each in [0,1] inside; and on which face. u = -1 where no face sees
+/// it.
 struct MapPoint {
   dvec3 at{0};
   int face = 0;
@@ -37,8 +44,9 @@ struct MapSegment {
 };
 MapSegment mapSegment(const LightFrustum& frustum, int face, dvec2 uv, int resolution);
 
-/// Sun: the smallest frustum of a fixed rotation about the media, its origin snapped to texels so that a moving volume does not make the
-/// map crawl; empty media: a unit cube about the origin. Point and spot: from the nearest to the farthest point of the media's bounds.
+/// Sun: the smallest frustum of a fixed rotation about the media, its origin snapped to texels so that a
+/// moving volume does not make the map crawl; empty media: a unit cube about the origin. Point and spot: from
+/// the nearest to the farthest point of the media's bounds.
 LightFrustum fitLight(const scene::Light& light, const volume::InstanceList& media, int resolution);
 
 }  // namespace pileus::shadow

@@ -10,7 +10,8 @@ namespace pileus::shadow {
 namespace {
 
 /// Bounds of a box on one face in texels of that face, not clamped; nothing where the face cannot see it.
-std::optional<std::pair<dvec2, dvec2>> faceBounds(const Box3& local, const dmat4& lightFromLocal, const LightFrustum& f, int face, int resolution) {
+std::optional<std::pair<dvec2, dvec2>> faceBounds(const Box3& local, const dmat4& lightFromLocal,
+                                                  const LightFrustum& f, int face, int resolution) {
   dvec2 lo(1e9), hi(-1e9);
   bool behind = false, front = false;
   const double scale = f.kind == scene::LightKind::Point ? 1 - 2.0 / resolution : 1;
@@ -40,12 +41,14 @@ std::optional<std::pair<dvec2, dvec2>> faceBounds(const Box3& local, const dmat4
 
 }  // namespace
 
-std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances, const LightFrustum& f, int resolution, int faceStride) {
+std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances, const LightFrustum& f,
+                                              int resolution, int faceStride) {
   const dmat4 lightFromWorld = glm::inverse(f.worldFromLight);
   std::vector<residency::PixelBounds> out;
   for (int face = 0; face < f.faces(); ++face)
     for (const volume::Instance& i : instances) {
-      const auto bounds = faceBounds(volume::localBounds(i), lightFromWorld * i.worldFromLocal, f, face, resolution);
+      const auto bounds =
+          faceBounds(volume::localBounds(i), lightFromWorld * i.worldFromLocal, f, face, resolution);
       if (!bounds) {
         out.push_back({});
         continue;
@@ -64,19 +67,25 @@ double mostSteps(const volume::InstanceList& volumes) {
     const dvec3 size = volume::localBounds(i).size();
     double way = 0;
     for (int axis = 0; axis < 3; ++axis) way += glm::length(dvec3(i.worldFromLocal[axis])) * size[axis];
-    most = std::max(most, i.shape == volume::Shape::Grid ? std::min(way / volume::detailSize(i), 8192.0) : 64.0);
+    most =
+        std::max(most, i.shape == volume::Shape::Grid ? std::min(way / volume::detailSize(i), 8192.0) : 64.0);
   }
   return most;
 }
 
-MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution, int softwareEdge)
-    : volumes_(residency::canonical(volumes)), frustum_(frustum), resolution_(resolution), softwareEdge_(softwareEdge) {}
+MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution,
+                 int softwareEdge)
+    : volumes_(residency::canonical(volumes)),
+      frustum_(frustum),
+      resolution_(resolution),
+      softwareEdge_(softwareEdge) {}
 
 Result<double> MapPass::prepare(const Gpu& gpu, double ms) {
   PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, volumes_, ms));
   if (residency.fraction < 1) return residency.fraction;
   if (!ready_) {
-    tiles_.build(tallSize(), mapBounds(set_.instances(), frustum_, resolution_, faceStride()), std::max(int(volumes_.size()), 1));
+    tiles_.build(tallSize(), mapBounds(set_.instances(), frustum_, resolution_, faceStride()),
+                 std::max(int(volumes_.size()), 1));
     cursor_ = gl::RegionCursor(tallSize(), gpu.device, softwareEdge_);
     ready_ = true;
   }

@@ -1,6 +1,7 @@
 #pragma once
-// What every pass that fills a light's map shares: resident volumes, lists of volumes per tile, the light's record, and the walk over
-// the map in regions. A point light's six faces stand one below the other in one tall map. GL thread.
+// What every pass that fills a light's map shares: resident volumes, lists of volumes per tile, the light's
+// record, and the walk over the map in regions. A point light's six faces stand one below the other in one
+// tall map. GL thread.
 #include "renderer/gl/gpu_timer.h"
 #include "renderer/gl/region_cursor.h"
 #include "renderer/residency/tile_lists.h"
@@ -21,7 +22,8 @@ class MapPass {
   Result<double> prepare(const Gpu& gpu, double ms);
   /// The record of a light with `map` as its shadow, for the shaders of this pass.
   void bindLight(const ShadowMap& map);
-  /// Binds volumes, tiles, store and the uniforms of lib/map_texel.glsl, and dispatches the region at the cursor in groups of 8 x 8.
+  /// Binds volumes, tiles, store and the uniforms of lib/map_texel.glsl, and dispatches the region at the
+  /// cursor in groups of 8 x 8.
   void dispatch(const Gpu& gpu, gl::Program& program);
   /// The same bindings without a dispatch, for passes that draw.
   void bind(const Gpu& gpu, gl::Program& program);
@@ -39,8 +41,12 @@ class MapPass {
   const volume::InstanceList& volumes() const { return volumes_; }  ///< canonical
   const LightFrustum& frustum() const { return frustum_; }
   int resolution() const { return resolution_; }
-  int faceStride() const { return (resolution_ + 15) / 16 * 16; }   ///< rows of the tall map from one face to the next
-  ivec2 tallSize() const { return {resolution_, frustum_.faces() == 1 ? resolution_ : faceStride() * frustum_.faces()}; }
+  int faceStride() const {
+    return (resolution_ + 15) / 16 * 16;
+  }  ///< rows of the tall map from one face to the next
+  ivec2 tallSize() const {
+    return {resolution_, frustum_.faces() == 1 ? resolution_ : faceStride() * frustum_.faces()};
+  }
   int shapes() const { return set_.shapes(); }
   int longestList() const { return tiles_.longest(); }
 
@@ -60,6 +66,7 @@ class MapPass {
 double mostSteps(const volume::InstanceList& volumes);
 
 /// Texels of the tall map each instance may touch, face by face: entry f * n + i is instance i on face f.
-std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances, const LightFrustum& frustum, int resolution, int faceStride);
+std::vector<residency::PixelBounds> mapBounds(const volume::InstanceList& instances,
+                                              const LightFrustum& frustum, int resolution, int faceStride);
 
 }  // namespace pileus::shadow

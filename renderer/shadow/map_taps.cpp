@@ -16,7 +16,8 @@ std::vector<float> fetch(const ShadowBlock& block, int face, ivec2 texel) {
   const gpu::BlockRecord r = block.record();
   const ivec2 at = glm::clamp(texel, ivec2(0), ivec2(block.resolution() - 1));
   std::vector<float> out(std::size_t(block.layers()) * 4, 0.0f);
-  glGetTextureSubImage(block.texture(), 0, r.place.x + at.x, r.place.y + at.y, r.place.w + face * block.layers(), 1, 1, block.layers(), GL_RGBA, GL_FLOAT,
+  glGetTextureSubImage(block.texture(), 0, r.place.x + at.x, r.place.y + at.y,
+                       r.place.w + face * block.layers(), 1, 1, block.layers(), GL_RGBA, GL_FLOAT,
                        GLsizei(out.size() * sizeof(float)), out.data());
   return out;
 }
@@ -32,7 +33,9 @@ Footprint footprint(int resolution, dvec2 uv) {
   return {ivec2(glm::floor(at)), at - glm::floor(at)};
 }
 
-double bilinear(dvec2 on, ivec2 corner) { return (corner.x ? on.x : 1 - on.x) * (corner.y ? on.y : 1 - on.y); }
+double bilinear(dvec2 on, ivec2 corner) {
+  return (corner.x ? on.x : 1 - on.x) * (corner.y ? on.y : 1 - on.y);
+}
 
 std::vector<double> sample(const ShadowBlock& block, int face, dvec2 uv) {
   const Footprint f = footprint(block.resolution(), uv);
@@ -47,7 +50,9 @@ std::vector<double> sample(const ShadowBlock& block, int face, dvec2 uv) {
 }
 
 bool hasMetric(const ShadowMap& map) { return map.metric && map.metric->block; }
-bool hasIntervals(const ShadowMap& map) { return hasMetric(map) && map.metric->options.metric == Metric::Interval; }
+bool hasIntervals(const ShadowMap& map) {
+  return hasMetric(map) && map.metric->options.metric == Metric::Interval;
+}
 
 /// blendOf in lib/mixed_bit.glsl: how the footprint that begins at this texel may be blended.
 enum class Blend { Whole, None, Rows, Columns };
@@ -83,9 +88,11 @@ MapTap readTap(const ShadowMap& map, int face, dvec2 uv) {
 
 void readVertices(const ShadowMap& map, MapTaps& out) {
   const auto edge = std::size_t(map.spec.resolution);
-  const std::size_t at = (std::size_t(out.face) * edge + std::size_t(out.texel.y)) * edge + std::size_t(out.texel.x);
+  const std::size_t at =
+      (std::size_t(out.face) * edge + std::size_t(out.texel.y)) * edge + std::size_t(out.texel.x);
   const uvec2 header = map.deep->read(at, 1).front();
-  for (const uvec2 v : map.deep->read(header.x, header.y)) out.vertices.push_back({double(std::bit_cast<float>(v.x)), double(std::bit_cast<float>(v.y))});
+  for (const uvec2 v : map.deep->read(header.x, header.y))
+    out.vertices.push_back({double(std::bit_cast<float>(v.x)), double(std::bit_cast<float>(v.y))});
 }
 
 double intervalsEnd(const std::vector<double>& m) {
@@ -111,11 +118,14 @@ double tauAt(const ShadowMap& map, const MapTap& tap, std::span<const double> c,
 }
 
 double tapTransmittance(const ShadowMap& map, const MapTap& tap, std::span<const double> c, double x) {
-  if (map.kind == ShadowMap::Kind::TransmittanceFunction) return std::clamp(basisValue(map.basis, c, x), 1e-9, 1.0);
+  if (map.kind == ShadowMap::Kind::TransmittanceFunction)
+    return std::clamp(basisValue(map.basis, c, x), 1e-9, 1.0);
   double tau = tauAt(map, tap, c, x);
   if (map.horizon) {
     const double end = intervalsEnd(tap.metric);
-    if (x > end) tau += std::max(tap.horizonTau - tau, 0.0) * std::clamp((x - end) / std::max(tap.horizonEnd - end, 1e-6), 0.0, 1.0);
+    if (x > end)
+      tau += std::max(tap.horizonTau - tau, 0.0) *
+             std::clamp((x - end) / std::max(tap.horizonEnd - end, 1e-6), 0.0, 1.0);
   }
   return std::exp(-tau);
 }
@@ -125,7 +135,8 @@ double deepTransmittance(const std::vector<DeepVertex>& v, double x) {
   std::size_t lo = 0;
   while (lo + 1 < v.size() && v[lo + 1].x <= x) ++lo;
   const DeepVertex &a = v[lo], &b = v[std::min(lo + 1, v.size() - 1)];
-  return glm::mix(a.transmittance, b.transmittance, std::clamp((x - a.x) / std::max(b.x - a.x, 1e-9), 0.0, 1.0));
+  return glm::mix(a.transmittance, b.transmittance,
+                  std::clamp((x - a.x) / std::max(b.x - a.x, 1e-9), 0.0, 1.0));
 }
 
 }  // namespace
@@ -142,7 +153,9 @@ MapTaps readTaps(const ShadowMap& map, int face, dvec2 uv) {
   }
   // Not clamped, as in the shader: its first texel may be -1.
   const dvec2 at = uv * double(resolution) - 0.5, base = glm::floor(at);
-  const Blend blend = map.kind == ShadowMap::Kind::Extinction && hasIntervals(map) ? blendOf(map, face, ivec2(base)) : Blend::Whole;
+  const Blend blend = map.kind == ShadowMap::Kind::Extinction && hasIntervals(map)
+                          ? blendOf(map, face, ivec2(base))
+                          : Blend::Whole;
   if (blend == Blend::Whole) {
     out.taps = {readTap(map, face, uv)};
     return out;
@@ -161,7 +174,8 @@ MapTaps readTaps(const ShadowMap& map, int face, dvec2 uv) {
     out.taps.push_back(std::move(tap));
   }
   for (MapTap& tap : out.taps) tap.weight /= whole;
-  std::stable_sort(out.taps.begin(), out.taps.end(), [](const MapTap& a, const MapTap& b) { return a.weight > b.weight; });
+  std::stable_sort(out.taps.begin(), out.taps.end(),
+                   [](const MapTap& a, const MapTap& b) { return a.weight > b.weight; });
   return out;
 }
 
@@ -181,7 +195,9 @@ double tapExtinction(const ShadowMap& map, const MapTap& tap, double u, std::spa
   const std::vector<double> c = unmuted(tap, muted);
   if (!piecewise(map)) return basisValue(map.basis, c, u);
   // Which interval u falls into, and where in it.
-  const auto mass = [&](std::size_t j) { return (tap.weights.empty() ? 1 : tap.weights[j]) * (tap.metric[2 * j + 1] - tap.metric[2 * j]); };
+  const auto mass = [&](std::size_t j) {
+    return (tap.weights.empty() ? 1 : tap.weights[j]) * (tap.metric[2 * j + 1] - tap.metric[2 * j]);
+  };
   double whole = 0;
   std::size_t count = 0;
   for (std::size_t j = 0; 2 * j + 1 < tap.metric.size(); ++j) {
@@ -194,7 +210,8 @@ double tapExtinction(const ShadowMap& map, const MapTap& tap, double u, std::spa
   while (j + 1 < count && u * whole >= before + mass(j)) before += mass(j++);
   const double v = (u * whole - before) / mass(j);
   double perInterval = 0;
-  for (std::size_t i = j; i < c.size(); i += count) perInterval += c[i] * std::cos(kPi * double(i / count) * v);
+  for (std::size_t i = j; i < c.size(); i += count)
+    perInterval += c[i] * std::cos(kPi * double(i / count) * v);
   return perInterval * whole / mass(j);
 }
 

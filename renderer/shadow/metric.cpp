@@ -17,7 +17,8 @@ double metricFace(Metric metric, int i, double t) {
 double metricU(Metric metric, std::span<const double> m, double x, std::span<const double> weights) {
   double g = 0, whole = 0;
   switch (metric) {
-    case Metric::None: return x;
+    case Metric::None:
+      return x;
     case Metric::Interval:
       for (std::size_t j = 0; j + 1 < m.size(); j += 2) {
         const double w = weights.empty() ? 1 : weights[j / 2];
@@ -28,7 +29,8 @@ double metricU(Metric metric, std::span<const double> m, double x, std::span<con
     case Metric::Cosine:
       whole = m[0];
       g = whole * x;
-      for (std::size_t k = 1; k < m.size(); ++k) g += m[k] * std::sin(kPi * double(k) * x) / (kPi * double(k));
+      for (std::size_t k = 1; k < m.size(); ++k)
+        g += m[k] * std::sin(kPi * double(k) * x) / (kPi * double(k));
       break;
     case Metric::Fourier:
       whole = 0.5 * m[0];

@@ -5,18 +5,23 @@
 #include "renderer/shadow/additive_target.h"
 
 namespace pileus::shadow {
-Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPass& pass, const ShadowBlock& block) {
+Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPass& pass,
+                             const ShadowBlock& block) {
   const gpu::BlockRecord record = block.record();
-  const int metric = options.metric == Metric::Cosine ? METRIC_COSINE : METRIC_FOURIER, edge = record.place.z, layers = block.layers();
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/metric_faces.vert.glsl", "shadow/metric_faces.frag.glsl"},
-                                                        {{"METRIC", metric}, {"TERMS", options.coefficients}}));
+  const int metric = options.metric == Metric::Cosine ? METRIC_COSINE : METRIC_FOURIER, edge = record.place.z,
+            layers = block.layers();
+  PILEUS_TRY(gl::Program * program,
+             gpu.shaders.program({"shadow/metric_faces.vert.glsl", "shadow/metric_faces.frag.glsl"},
+                                 {{"METRIC", metric}, {"TERMS", options.coefficients}}));
   // Half maps are summed in float and rounded once.
   gl::Texture sum;
-  if (block.texels() != Texels::Float) sum = gl::Texture(GL_TEXTURE_2D_ARRAY, GL_RGBA32F, ivec3(ivec2(edge), layers), "metric sum");
+  if (block.texels() != Texels::Float)
+    sum = gl::Texture(GL_TEXTURE_2D_ARRAY, GL_RGBA32F, ivec3(ivec2(edge), layers), "metric sum");
   AdditiveTarget target;
   for (int face = 0; face < block.faces(); ++face) {
     const int first = record.place.w + face * layers;
-    target.attach(sum ? sum.id() : block.texture(), sum ? 0 : first, layers, sum ? ivec2(0) : ivec2(record.place), edge, true);
+    target.attach(sum ? sum.id() : block.texture(), sum ? 0 : first, layers,
+                  sum ? ivec2(0) : ivec2(record.place), edge, true);
     pass.bind(gpu, *program);
     program->set("face", face);
     pass.timer().begin();
@@ -30,7 +35,8 @@ Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPa
     for (int layer = 0; layer < layers; ++layer) {
       glNamedFramebufferReadBuffer(target.framebuffer(), GL_COLOR_ATTACHMENT0 + GLenum(layer));
       glNamedFramebufferTextureLayer(out, GL_COLOR_ATTACHMENT0, block.texture(), 0, first + layer);
-      glBlitNamedFramebuffer(target.framebuffer(), out, 0, 0, edge, edge, x, y, x + edge, y + edge, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+      glBlitNamedFramebuffer(target.framebuffer(), out, 0, 0, edge, edge, x, y, x + edge, y + edge,
+                             GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
     glEnable(GL_SCISSOR_TEST);
     glDeleteFramebuffers(1, &out);

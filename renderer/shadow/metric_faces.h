@@ -5,7 +5,9 @@
 
 namespace pileus::shadow {
 
-/// Fills every face of `block` (metric cosine or Fourier); the light's record must be bound. Leaves no GL state behind but the program.
-Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPass& pass, const ShadowBlock& block);
+/// Fills every face of `block` (metric cosine or Fourier); the light's record must be bound. Leaves no GL
+/// state behind but the program.
+Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPass& pass,
+                             const ShadowBlock& block);
 
 }  // namespace pileus::shadow

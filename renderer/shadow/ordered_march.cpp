@@ -8,29 +8,32 @@
 namespace pileus::shadow {
 namespace {
 
-constexpr int kInRegisters = 4;          ///< volumes of an overlap; the rest is visited one by one at each step
-constexpr double kOneDispatch = 20000;   ///< loop iterations, with room for lanes that wait for each other
+constexpr int kInRegisters = 4;  ///< volumes of an overlap; the rest is visited one by one at each step
+constexpr double kOneDispatch = 20000;  ///< loop iterations, with room for lanes that wait for each other
 
 /// Loop iterations of a whole light ray at most.
 double iterations(const MapPass& pass, int halves) {
   double finest = std::numeric_limits<double>::infinity();
   for (const volume::Instance& i : pass.volumes()) finest = std::min(finest, volume::detailSize(i));
   const double list = pass.longestList();
-  const double steps = std::min(list * mostSteps(pass.volumes()), pass.frustum().depth() / finest) * 2 / halves;
+  const double steps =
+      std::min(list * mostSteps(pass.volumes()), pass.frustum().depth() / finest) * 2 / halves;
   return steps * (1 + std::max(list - kInRegisters, 0.0)) + (2 * list + 1) * list;
 }
 
 }  // namespace
 
 OrderedMarch::OrderedMarch(const Gpu& gpu, const MapPass& pass, int halves, int floats) {
-  if (gpu.device.software && !pass.volumes().empty()) windows_ = std::clamp(int(std::ceil(iterations(pass, halves) / kOneDispatch)), 1, 4096);
+  if (gpu.device.software && !pass.volumes().empty())
+    windows_ = std::clamp(int(std::ceil(iterations(pass, halves) / kOneDispatch)), 1, 4096);
   defines_ = {{"SHAPES", pass.shapes()},
               {"ACTIVE", std::clamp(pass.longestList(), 1, kInRegisters)},
               {"OVERFLOW", pass.longestList() > kInRegisters},
               {"STEP_HALVES", halves},
               {"WINDOWED", windows_ > 1}};
   const ivec2 region = pass.regionSize();
-  if (windows_ > 1) states_.reserve(std::size_t(region.x) * std::size_t(region.y) * std::size_t(floats) * sizeof(float));
+  if (windows_ > 1)
+    states_.reserve(std::size_t(region.x) * std::size_t(region.y) * std::size_t(floats) * sizeof(float));
 }
 
 gl::Defines OrderedMarch::defines() const { return defines_; }

@@ -8,11 +8,14 @@
 namespace pileus::shadow {
 
 int metricFloats(const MetricOptions& o) {
-  const int floats = o.metric == Metric::Interval ? 2 * o.intervals : o.metric == Metric::None ? 0 : o.coefficients;
+  const int floats = o.metric == Metric::Interval ? 2 * o.intervals
+                     : o.metric == Metric::None   ? 0
+                                                  : o.coefficients;
   return (floats + 3) / 4 * 4;
 }
 
-PseudometricPass::PseudometricPass(const MetricOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum)
+PseudometricPass::PseudometricPass(const MetricOptions& options, const scene::Light& light,
+                                   const volume::InstanceList& volumes, const LightFrustum& frustum)
     : map_(std::make_shared<PseudometricMap>()), pass_(volumes, frustum, options.resolution, 256) {
   map_->options = options;
   map_->light = light;
@@ -23,7 +26,10 @@ PseudometricPass::PseudometricPass(const MetricOptions& options, const scene::Li
 Result<void> PseudometricPass::allocate(const Gpu& gpu) {
   const MetricOptions& o = map_->options;
   const bool intervals = o.metric == Metric::Interval;
-  const Texels texels = intervals && o.compact ? Texels::Byte : o.storage == Storage::Float ? Texels::Float : intervals ? Texels::Unorm : Texels::Half;
+  const Texels texels = intervals && o.compact        ? Texels::Byte
+                        : o.storage == Storage::Float ? Texels::Float
+                        : intervals                   ? Texels::Unorm
+                                                      : Texels::Half;
   const int faces = map_->frustum.faces();
   PILEUS_TRY(map_->block, gpu.store.allocate(texels, o.resolution, metricFloats(o) / 4, faces));
   if (o.metric == Metric::Interval && o.weighting != Weighting::None) {
@@ -60,14 +66,18 @@ Result<void> PseudometricPass::dispatchIntervals(const Gpu& gpu) {
   const ShadowBlock& block = *map_->block;
   const MetricOptions& o = map_->options;
   const bool probes = map_->weights || o.horizon > 0;
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/interval_map.comp.glsl"}, {{"INTERVALS", o.intervals},
-                                                                                            {"STORE", int(block.texels())},
-                                                                                            {"SHAPES", pass_.shapes()},
-                                                                                            {"BRICKS", o.coverage == Coverage::Bricks && (pass_.shapes() & 1)},
-                                                                                            {"PROBES", probes ? kProbes : 0},
-                                                                                            {"WEIGHTS", map_->weights != nullptr}}));
+  PILEUS_TRY(gl::Program * program,
+             gpu.shaders.program({"shadow/interval_map.comp.glsl"},
+                                 {{"INTERVALS", o.intervals},
+                                  {"STORE", int(block.texels())},
+                                  {"SHAPES", pass_.shapes()},
+                                  {"BRICKS", o.coverage == Coverage::Bricks && (pass_.shapes() & 1)},
+                                  {"PROBES", probes ? kProbes : 0},
+                                  {"WEIGHTS", map_->weights != nullptr}}));
   glBindImageTexture(IMAGE_TARGET, block.texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, block.format());
-  if (map_->weights) glBindImageTexture(IMAGE_TARGET + 1, map_->weights->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->weights->format());
+  if (map_->weights)
+    glBindImageTexture(IMAGE_TARGET + 1, map_->weights->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                       map_->weights->format());
   program->use();
   program->set("horizon", float(o.horizon));
   pass_.dispatch(gpu, *program);

@@ -1,5 +1,6 @@
 #pragma once
-// The pseudometric map: per light texel, how far x along the ray is through the media (Gautron et al. 2011, pass 1).
+// The pseudometric map: per light texel, how far x along the ray is through the media (Gautron et al. 2011,
+// pass 1).
 #include "renderer/shadow/map_pass.h"
 #include "renderer/shadow/representation.h"
 
@@ -22,7 +23,8 @@ int metricFloats(const MetricOptions& options);
 /// Builds a map in steps.
 class PseudometricPass {
  public:
-  PseudometricPass(const MetricOptions& options, const scene::Light& light, const volume::InstanceList& volumes, const LightFrustum& frustum);
+  PseudometricPass(const MetricOptions& options, const scene::Light& light,
+                   const volume::InstanceList& volumes, const LightFrustum& frustum);
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const Gpu& gpu, double ms);
   std::shared_ptr<const PseudometricMap> map() const { return map_; }

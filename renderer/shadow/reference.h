@@ -3,7 +3,8 @@
 // the CPU. Regular tracking: a grid is walked cell by cell, and inside a cell the trilinear density is a
 // cubic along the ray, which two Gauss points integrate exactly; boxes and balls are exact chords. The medium
 // is that of volume::sigmaAt: level 0, dequantised. Densities are taken to be non-negative; where one is
-// negative it counts as 0 at the Gauss points, and the cell is no longer exact; a remapped one is cut into parts. Any thread.
+// negative it counts as 0 at the Gauss points, and the cell is no longer exact; a remapped one is cut into
+// parts. Any thread.
 #include <random>
 #include <span>
 #include <vector>

@@ -16,19 +16,26 @@ std::string describeMetric(const MetricOptions& m) {
       if (m.horizon > 0) text += fmt::format(", horizon {:g}", m.horizon);
       return text;
     }
-    case Metric::Fourier: return fmt::format("Fourier {}", m.coefficients);
-    case Metric::Cosine: return fmt::format("cosine {}", m.coefficients);
-    case Metric::None: break;
+    case Metric::Fourier:
+      return fmt::format("Fourier {}", m.coefficients);
+    case Metric::Cosine:
+      return fmt::format("cosine {}", m.coefficients);
+    case Metric::None:
+      break;
   }
   return "Euclidean";
 }
 
 std::string describeBasis(Basis b, int n) {
   switch (b) {
-    case Basis::Cosine: return fmt::format("{} cosines", n);
-    case Basis::Fourier: return fmt::format("{} Fourier", n);
-    case Basis::Piecewise: return fmt::format("{} cosines per interval", n);
-    case Basis::Slab: break;
+    case Basis::Cosine:
+      return fmt::format("{} cosines", n);
+    case Basis::Fourier:
+      return fmt::format("{} Fourier", n);
+    case Basis::Piecewise:
+      return fmt::format("{} cosines per interval", n);
+    case Basis::Slab:
+      break;
   }
   return fmt::format("{} slabs", n);
 }
@@ -52,14 +59,19 @@ std::string describe(const ShadowSpec& s) {
   using K = ShadowSpec::Kind;
   switch (s.kind) {
     case K::Extinction:
-      return describeMetric(s.metric) + " + " + describeBasis(s.extinction.basis, s.extinction.coefficients) + (s.extinction.damping ? ", damped" : "") +
-             storageSuffix(s.extinction.storage);
+      return describeMetric(s.metric) + " + " + describeBasis(s.extinction.basis, s.extinction.coefficients) +
+             (s.extinction.damping ? ", damped" : "") + storageSuffix(s.extinction.storage);
     case K::FourierOpacity:
-      return fmt::format("Fourier opacity {}", s.coefficients) + (s.range ? ", near-far" : "") + (s.damping ? ", damped" : "") + storageSuffix(s.storage);
+      return fmt::format("Fourier opacity {}", s.coefficients) + (s.range ? ", near-far" : "") +
+             (s.damping ? ", damped" : "") + storageSuffix(s.storage);
     case K::TransmittanceFunction:
-      return fmt::format("transmittance function {}", s.coefficients) + (s.basis == Basis::Cosine ? ", cosine" : "") + storageSuffix(s.storage);
-    case K::Deep: return fmt::format("deep, bound {:g}", s.errorBound) + (s.filter > 1 ? fmt::format(", {}x{} rays", s.filter, s.filter) : "");
-    case K::RayMarch: break;
+      return fmt::format("transmittance function {}", s.coefficients) +
+             (s.basis == Basis::Cosine ? ", cosine" : "") + storageSuffix(s.storage);
+    case K::Deep:
+      return fmt::format("deep, bound {:g}", s.errorBound) +
+             (s.filter > 1 ? fmt::format(", {}x{} rays", s.filter, s.filter) : "");
+    case K::RayMarch:
+      break;
   }
   return "ray march";
 }
@@ -77,10 +89,13 @@ std::size_t bytesPerTexel(const ShadowSpec& s) {
       if (m.horizon > 0) bytes += 4;
       return bytes;
     }
-    case K::FourierOpacity: return layers(s.coefficients) * layerBytes(s.storage) + (s.range ? layerBytes(s.storage) : 0);
-    case K::TransmittanceFunction: return layers(s.coefficients) * layerBytes(s.storage);
+    case K::FourierOpacity:
+      return layers(s.coefficients) * layerBytes(s.storage) + (s.range ? layerBytes(s.storage) : 0);
+    case K::TransmittanceFunction:
+      return layers(s.coefficients) * layerBytes(s.storage);
     case K::Deep:
-    case K::RayMarch: break;
+    case K::RayMarch:
+      break;
   }
   return 0;
 }

@@ -10,30 +10,42 @@ namespace {
 
 int metricCode(Metric m) {
   switch (m) {
-    case Metric::Interval: return METRIC_INTERVAL;
-    case Metric::Fourier: return METRIC_FOURIER;
-    case Metric::Cosine: return METRIC_COSINE;
-    case Metric::None: break;
+    case Metric::Interval:
+      return METRIC_INTERVAL;
+    case Metric::Fourier:
+      return METRIC_FOURIER;
+    case Metric::Cosine:
+      return METRIC_COSINE;
+    case Metric::None:
+      break;
   }
   return METRIC_NONE;
 }
 
 int basisCode(Basis b) {
   switch (b) {
-    case Basis::Cosine: return BASIS_COSINE;
-    case Basis::Fourier: return BASIS_FOURIER;
-    case Basis::Slab: return BASIS_SLAB;
-    case Basis::Piecewise: break;
+    case Basis::Cosine:
+      return BASIS_COSINE;
+    case Basis::Fourier:
+      return BASIS_FOURIER;
+    case Basis::Slab:
+      return BASIS_SLAB;
+    case Basis::Piecewise:
+      break;
   }
   return BASIS_PIECEWISE;
 }
 
 int kindCode(ShadowMap::Kind k) {
   switch (k) {
-    case ShadowMap::Kind::Extinction: return SHADOW_EXTINCTION;
-    case ShadowMap::Kind::TransmittanceFunction: return SHADOW_TRANSMITTANCE;
-    case ShadowMap::Kind::Deep: return SHADOW_DEEP;
-    case ShadowMap::Kind::RayMarch: break;
+    case ShadowMap::Kind::Extinction:
+      return SHADOW_EXTINCTION;
+    case ShadowMap::Kind::TransmittanceFunction:
+      return SHADOW_TRANSMITTANCE;
+    case ShadowMap::Kind::Deep:
+      return SHADOW_DEEP;
+    case ShadowMap::Kind::RayMarch:
+      break;
   }
   return SHADOW_RAY_MARCH;
 }
@@ -50,7 +62,8 @@ void describeLight(const scene::Light& light, gpu::LightRecord& r) {
 }  // namespace
 
 std::size_t ShadowMap::bytes() const {
-  return (block ? block->bytes() : 0) + (horizon ? horizon->bytes() : 0) + (metric ? metric->bytes() : 0) + (deep ? deep->bytes() : 0);
+  return (block ? block->bytes() : 0) + (horizon ? horizon->bytes() : 0) + (metric ? metric->bytes() : 0) +
+         (deep ? deep->bytes() : 0);
 }
 
 double ShadowMap::bytesPerTexel() const {
@@ -63,11 +76,14 @@ gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) 
   describeLight(light, r);
   if (!shadow) return r;
   const LightFrustum& f = shadow->frustum;
-  r.extent = vec4(float(f.depth()), float(shadow->stepScale), float(f.perspective() ? f.nearDistance : 0), float(f.tanHalf));
+  r.extent = vec4(float(f.depth()), float(shadow->stepScale), float(f.perspective() ? f.nearDistance : 0),
+                  float(f.tanHalf));
   r.worldFromLight = mat4(f.worldFromLight);
   r.lightFromWorld = mat4(glm::inverse(f.worldFromLight));
-  const Metric metric = shadow->metric && shadow->metric->block ? shadow->metric->options.metric : Metric::None;
-  r.shadow = ivec4(kindCode(shadow->kind), basisCode(shadow->basis), shadow->coefficients, metricCode(metric));
+  const Metric metric =
+      shadow->metric && shadow->metric->block ? shadow->metric->options.metric : Metric::None;
+  r.shadow =
+      ivec4(kindCode(shadow->kind), basisCode(shadow->basis), shadow->coefficients, metricCode(metric));
   if (metric != Metric::None) {
     const MetricOptions& o = shadow->metric->options;
     r.items.x = metric == Metric::Interval ? o.intervals : o.coefficients;
@@ -86,7 +102,8 @@ gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) 
 
 gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
   int metricFloatsNeeded = 4, basis = 1, stores = 0, kinds = 0, weights = 0, horizon = 0, bases = 0;
-  std::optional<std::array<int, 7>> common;  // kind, metric, its count, basis, coefficients, stores of the mapped lights
+  std::optional<std::array<int, 7>>
+      common;  // kind, metric, its count, basis, coefficients, stores of the mapped lights
   bool uniform = true;
   for (const ShadowedLight& l : lights) {
     if (!l.shadow) {
@@ -98,8 +115,11 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       continue;
     }
     const gpu::LightRecord r = makeRecord(l.light, l.shadow.get());
-    kinds |= l.shadow->kind == ShadowMap::Kind::Extinction ? 2 : l.shadow->kind == ShadowMap::Kind::TransmittanceFunction ? 8 : 16;
-    const std::array<int, 7> choice{r.shadow.x, r.shadow.w, r.items.x, r.shadow.y, r.shadow.z, r.metric.kind.x, r.coefficients.kind.x};
+    kinds |= l.shadow->kind == ShadowMap::Kind::Extinction              ? 2
+             : l.shadow->kind == ShadowMap::Kind::TransmittanceFunction ? 8
+                                                                        : 16;
+    const std::array<int, 7> choice{r.shadow.x,      r.shadow.w,           r.items.x, r.shadow.y, r.shadow.z,
+                                    r.metric.kind.x, r.coefficients.kind.x};
     uniform = uniform && (!common || *common == choice);
     common = choice;
     if (l.shadow->kind == ShadowMap::Kind::Extinction) bases |= 1 << r.shadow.y;
@@ -113,10 +133,22 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       stores |= 1 << r.metric.kind.x;
     }
   }
-  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded}, {"BASIS_FLOATS", basis}, {"STORES", stores}, {"LIGHT_KINDS", kinds}, {"WEIGHTS", weights}, {"HORIZON", horizon}, {"LOOKUP_BASES", bases}};
+  gl::Defines defines = {{"METRIC_FLOATS", metricFloatsNeeded},
+                         {"BASIS_FLOATS", basis},
+                         {"STORES", stores},
+                         {"LIGHT_KINDS", kinds},
+                         {"WEIGHTS", weights},
+                         {"HORIZON", horizon},
+                         {"LOOKUP_BASES", bases}};
   if (uniform && common) {
     const std::array<int, 7>& c = *common;
-    defines.insert(defines.end(), {{"UNIFORM_MAPS", 1}, {"METRIC", c[1]}, {"METRIC_COUNT", c[2]}, {"BASIS", c[3]}, {"COEFFICIENTS", c[4]}, {"METRIC_STORE", c[5]}, {"COEFFICIENT_STORE", c[6]}});
+    defines.insert(defines.end(), {{"UNIFORM_MAPS", 1},
+                                   {"METRIC", c[1]},
+                                   {"METRIC_COUNT", c[2]},
+                                   {"BASIS", c[3]},
+                                   {"COEFFICIENTS", c[4]},
+                                   {"METRIC_STORE", c[5]},
+                                   {"COEFFICIENT_STORE", c[6]}});
   }
   return defines;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// A light's shadow: what a representation left behind for lookupTransmittance, or the volumes to march through.
+// A light's shadow: what a representation left behind for lookupTransmittance, or the volumes to march
+// through.
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/pseudometric_map.h"
 #include "renderer/shadow/shadowed_light.h"
@@ -12,31 +13,33 @@ struct ShadowMap {
   // What it was made from: enough to make the truth beside it.
   scene::Light light;
   volume::InstanceList volumes;
-  scene::SolidList solids;      ///< block the light at whatever is lit, exactly; no map holds them
-  ShadowSpec spec;              ///< as asked for
+  scene::SolidList solids;  ///< block the light at whatever is lit, exactly; no map holds them
+  ShadowSpec spec;          ///< as asked for
   // Extinction, TransmittanceFunction
   Basis basis = Basis::Cosine;
   int coefficients = 8;
   Storage storage = Storage::Float;
-  LightFrustum frustum;         ///< Deep too
+  LightFrustum frustum;                           ///< Deep too
   std::shared_ptr<const PseudometricMap> metric;  ///< null: Euclidean
   std::shared_ptr<const ShadowBlock> block;
-  std::shared_ptr<const ShadowBlock> horizon;     ///< (tau in all, last exit) where the metric has a horizon
+  std::shared_ptr<const ShadowBlock> horizon;  ///< (tau in all, last exit) where the metric has a horizon
   // Deep
   std::shared_ptr<const DeepBlock> deep;
   // RayMarch
-  double stepScale = 0.5;   ///< of a voxel
+  double stepScale = 0.5;  ///< of a voxel
 
   std::size_t bytes() const;  ///< GPU memory of the map, its metric included
   /// Mean over the map's texels; 0 for RayMarch.
   double bytesPerTexel() const;
 };
 
-/// The shader's record; `metric` and `block` may lie anywhere in the store now (make records anew each time they are bound). Lists of
-/// marched volumes and of solids are the caller's: items.yz (ray march) and solids.xy stay 0.
+/// The shader's record; `metric` and `block` may lie anywhere in the store now (make records anew each time
+/// they are bound). Lists of marched volumes and of solids are the caller's: items.yz (ray march) and
+/// solids.xy stay 0.
 gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow);
 
-/// Variant constants for programs that look up these lights: METRIC_FLOATS, BASIS_FLOATS, STORES, LIGHT_KINDS, WEIGHTS, HORIZON.
+/// Variant constants for programs that look up these lights: METRIC_FLOATS, BASIS_FLOATS, STORES,
+/// LIGHT_KINDS, WEIGHTS, HORIZON.
 gl::Defines lookupDefines(std::span<const ShadowedLight> lights);
 
 }  // namespace pileus::shadow

@@ -17,13 +17,15 @@ struct TwoPasses {
 
 TwoPasses passesOf(const ShadowSpec& spec) {
   if (spec.kind == ShadowSpec::Kind::Extinction) return {spec.metric, spec.extinction};
-  // A Fourier opacity map is the Euclidean extinction map; one interval from the nearest to the farthest medium is its near-far range.
+  // A Fourier opacity map is the Euclidean extinction map; one interval from the nearest to the farthest
+  // medium is its near-far range.
   TwoPasses out;
   out.metric.metric = spec.range ? Metric::Interval : Metric::None;
   out.metric.intervals = 1;
   out.metric.resolution = spec.resolution;
   out.metric.storage = spec.storage;
-  out.extinction = {Basis::Fourier, spec.coefficients, spec.resolution, spec.storage, Accumulation::Gather, spec.damping};
+  out.extinction = {Basis::Fourier, spec.coefficients,    spec.resolution,
+                    spec.storage,   Accumulation::Gather, spec.damping};
   return out;
 }
 
@@ -53,8 +55,10 @@ struct ShadowPass::Impl {
       }
     }
     if (!extinction) {
-      if (metric) extinction.emplace(two.extinction, metric->map());
-      else extinction.emplace(two.extinction, light, volumes, frustum);
+      if (metric)
+        extinction.emplace(two.extinction, metric->map());
+      else
+        extinction.emplace(two.extinction, light, volumes, frustum);
       extinction->remember(solids, spec);
     }
     PILEUS_TRY(const double done, extinction->step(gpu, ms));
@@ -62,14 +66,17 @@ struct ShadowPass::Impl {
   }
 };
 
-ShadowPass::ShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, const LightFrustum* frustum)
+ShadowPass::ShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes,
+                       const scene::SolidList& solids, const LightFrustum* frustum)
     : impl_(std::make_unique<Impl>()) {
   impl_->spec = spec;
   impl_->light = light;
   impl_->volumes = volumes;
   impl_->solids = solids;
-  if (spec.kind == ShadowSpec::Kind::RayMarch) impl_->marched = marchedShadow(light, volumes, solids, spec.stepScale);
-  else impl_->frustum = frustum ? *frustum : fitLight(light, volumes, resolutionOf(spec));
+  if (spec.kind == ShadowSpec::Kind::RayMarch)
+    impl_->marched = marchedShadow(light, volumes, solids, spec.stepScale);
+  else
+    impl_->frustum = frustum ? *frustum : fitLight(light, volumes, resolutionOf(spec));
 }
 
 ShadowPass::~ShadowPass() = default;
@@ -78,14 +85,16 @@ Result<double> ShadowPass::step(const Gpu& gpu, double ms) {
   Impl& i = *impl_;
   switch (i.spec.kind) {
     case ShadowSpec::Kind::Extinction:
-    case ShadowSpec::Kind::FourierOpacity: return i.stepTwo(gpu, ms);
+    case ShadowSpec::Kind::FourierOpacity:
+      return i.stepTwo(gpu, ms);
     case ShadowSpec::Kind::TransmittanceFunction:
       if (!i.transmittance) i.transmittance.emplace(i.spec, i.light, i.volumes, i.solids, i.frustum);
       return i.transmittance->step(gpu, ms);
     case ShadowSpec::Kind::Deep:
       if (!i.deep) i.deep.emplace(i.spec, i.light, i.volumes, i.solids, i.frustum);
       return i.deep->step(gpu, ms);
-    case ShadowSpec::Kind::RayMarch: break;
+    case ShadowSpec::Kind::RayMarch:
+      break;
   }
   return 1.0;
 }
@@ -111,7 +120,8 @@ std::optional<DeepStatistics> ShadowPass::deepStatistics() const {
   return impl_->deep->statistics();
 }
 
-std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, double stepScale) {
+std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const volume::InstanceList& volumes,
+                                               const scene::SolidList& solids, double stepScale) {
   auto map = std::make_shared<ShadowMap>();
   map->kind = ShadowMap::Kind::RayMarch;
   map->light = light;
@@ -122,7 +132,10 @@ std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const 
   return map;
 }
 
-Result<std::shared_ptr<const ShadowMap>> buildShadow(const Gpu& gpu, const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids) {
+Result<std::shared_ptr<const ShadowMap>> buildShadow(const Gpu& gpu, const ShadowSpec& spec,
+                                                     const scene::Light& light,
+                                                     const volume::InstanceList& volumes,
+                                                     const scene::SolidList& solids) {
   ShadowPass pass(spec, light, volumes, solids);
   for (double done = 0; done < 1;) {
     PILEUS_TRY(done, pass.step(gpu, 1e12));

@@ -1,5 +1,6 @@
 #pragma once
-// Builds any representation of one light's shadow in steps: what nodes, the shoot-out and the tuner call. GL thread.
+// Builds any representation of one light's shadow in steps: what nodes, the shoot-out and the tuner call. GL
+// thread.
 #include <memory>
 #include <optional>
 
@@ -12,8 +13,8 @@ namespace pileus::shadow {
 class ShadowPass {
  public:
   /// Volumes and solids that cast; the frustum is fitted to the light and the volumes unless one is given.
-  ShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids = {},
-             const LightFrustum* frustum = nullptr);
+  ShadowPass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes,
+             const scene::SolidList& solids = {}, const LightFrustum* frustum = nullptr);
   ~ShadowPass();
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const Gpu& gpu, double ms);
@@ -29,10 +30,13 @@ class ShadowPass {
 };
 
 /// The same light's shadow by marching: the truth a map is compared with.
-std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids, double stepScale = 0.5);
+std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const volume::InstanceList& volumes,
+                                               const scene::SolidList& solids, double stepScale = 0.5);
 
 /// Builds to the end, for command lines and tests.
-Result<std::shared_ptr<const ShadowMap>> buildShadow(const Gpu& gpu, const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes,
+Result<std::shared_ptr<const ShadowMap>> buildShadow(const Gpu& gpu, const ShadowSpec& spec,
+                                                     const scene::Light& light,
+                                                     const volume::InstanceList& volumes,
                                                      const scene::SolidList& solids = {});
 
 }  // namespace pileus::shadow

@@ -15,7 +15,9 @@ namespace {
 struct Sheet {
   int firstLayer = 0, layers = 0, cellEdge = 0, across = 0;
   std::vector<bool> used;
-  bool empty() const { return std::none_of(used.begin(), used.end(), [](bool u) { return u; }); }
+  bool empty() const {
+    return std::none_of(used.begin(), used.end(), [](bool u) { return u; });
+  }
 };
 
 struct Array {
@@ -26,15 +28,17 @@ struct Array {
 
 constexpr int kArrays = 5;
 constexpr GLenum kFormats[kArrays] = {GL_RGBA32F, GL_RGBA16F, GL_RGBA16, GL_RGBA8, GL_RG16F};
-constexpr const char* kLabels[kArrays] = {"shadow store float", "shadow store half", "shadow store unorm", "shadow store byte", "shadow store pair"};
-constexpr int kUnits[kArrays] = {UNIT_SHADOW_FLOAT, UNIT_SHADOW_HALF, UNIT_SHADOW_UNORM, UNIT_SHADOW_BYTE, UNIT_SHADOW_PAIR};
+constexpr const char* kLabels[kArrays] = {"shadow store float", "shadow store half", "shadow store unorm",
+                                          "shadow store byte", "shadow store pair"};
+constexpr int kUnits[kArrays] = {UNIT_SHADOW_FLOAT, UNIT_SHADOW_HALF, UNIT_SHADOW_UNORM, UNIT_SHADOW_BYTE,
+                                 UNIT_SHADOW_PAIR};
 constexpr std::size_t kDeepElement = sizeof(uvec2);
 
 /// The vertices of all deep maps in one buffer texture. Ranges never move; the buffer grows by doubling.
 struct DeepArena {
   GLuint buffer = 0, texels = 0;
-  std::size_t capacity = 0;                    ///< elements
-  std::map<std::size_t, std::size_t> taken;    ///< first -> count
+  std::size_t capacity = 0;                  ///< elements
+  std::map<std::size_t, std::size_t> taken;  ///< first -> count
 
   DeepArena() = default;
   DeepArena(const DeepArena&) = delete;
@@ -95,27 +99,39 @@ struct ShadowStoreState {
     const ivec3 old = a.texture ? a.texture.size() : ivec3(0);
     const ivec3 size(std::max(edge, old.x), std::max(edge, old.y), std::max(depth, old.z));
     if (size == old) return {};
-    const std::size_t bytes = gl::texelBytes(kFormats[kind]) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+    const std::size_t bytes =
+        gl::texelBytes(kFormats[kind]) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
     std::size_t others = deep.capacity * kDeepElement;
     for (int k = 0; k < kArrays; ++k)
       if (k != kind) others += arrays[k].texture.bytes();
     if (size.x > device.maxTextureSize || size.z > device.maxArrayLayers || bytes + others > budget)
-      return fail(Code::Gpu, "shadow maps would need {} MiB ({} x {} texels, {} layers); {} MiB are set aside for them", (bytes + others) >> 20, size.x, size.y, size.z,
-                  budget >> 20);
+      return fail(Code::Gpu,
+                  "shadow maps would need {} MiB ({} x {} texels, {} layers); {} MiB are set aside for them",
+                  (bytes + others) >> 20, size.x, size.y, size.z, budget >> 20);
     while (glGetError() != GL_NO_ERROR) {
     }
     gl::Texture grown(GL_TEXTURE_2D_ARRAY, kFormats[kind], size, kLabels[kind]);
     grown.filter(GL_LINEAR);
-    if (glGetError() == GL_OUT_OF_MEMORY) return fail(Code::Gpu, "out of GPU memory: {} MiB for shadow maps", bytes >> 20);
-    if (a.texture) glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, grown.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, old.x, old.y, old.z);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+      return fail(Code::Gpu, "out of GPU memory: {} MiB for shadow maps", bytes >> 20);
+    if (a.texture)
+      glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, grown.id(), GL_TEXTURE_2D_ARRAY, 0,
+                         0, 0, 0, old.x, old.y, old.z);
     a.texture = std::move(grown);
     if (kind == STORE_HALF) a.bits = gl::Texture::view(a.texture, GL_RG32UI, "shadow store half, as bits");
     return {};
   }
 };
 
-ShadowBlock::ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers, int faces, int sheet, int cell)
-    : store_(std::move(store)), texels_(texels), resolution_(resolution), layers_(layers), faces_(faces), sheet_(sheet), cell_(cell) {}
+ShadowBlock::ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers,
+                         int faces, int sheet, int cell)
+    : store_(std::move(store)),
+      texels_(texels),
+      resolution_(resolution),
+      layers_(layers),
+      faces_(faces),
+      sheet_(sheet),
+      cell_(cell) {}
 
 ShadowBlock::~ShadowBlock() {
   Sheet& s = store_->arrays[int(texels_)].sheets[std::size_t(sheet_)];
@@ -123,42 +139,54 @@ ShadowBlock::~ShadowBlock() {
   if (s.empty()) s = Sheet{};
 }
 
-std::size_t ShadowBlock::bytes() const { return gl::texelBytes(format()) * std::size_t(resolution_) * std::size_t(resolution_) * std::size_t(layers_ * faces_); }
+std::size_t ShadowBlock::bytes() const {
+  return gl::texelBytes(format()) * std::size_t(resolution_) * std::size_t(resolution_) *
+         std::size_t(layers_ * faces_);
+}
 
 gpu::BlockRecord ShadowBlock::record() const {
   const Sheet& s = store_->arrays[int(texels_)].sheets[std::size_t(sheet_)];
-  return {ivec4((cell_ % s.across) * s.cellEdge, (cell_ / s.across) * s.cellEdge, resolution_, s.firstLayer), ivec4(int(texels_), layers_, faces_, 0)};
+  return {ivec4((cell_ % s.across) * s.cellEdge, (cell_ / s.across) * s.cellEdge, resolution_, s.firstLayer),
+          ivec4(int(texels_), layers_, faces_, 0)};
 }
 
 DeepBlock::~DeepBlock() { store_->deep.taken.erase(first_); }
 
 void DeepBlock::write(std::size_t at, std::span<const uvec2> elements) const {
-  glNamedBufferSubData(store_->deep.buffer, GLintptr((first_ + at) * kDeepElement), GLsizeiptr(elements.size_bytes()), elements.data());
+  glNamedBufferSubData(store_->deep.buffer, GLintptr((first_ + at) * kDeepElement),
+                       GLsizeiptr(elements.size_bytes()), elements.data());
 }
 
 std::vector<uvec2> DeepBlock::read(std::size_t at, std::size_t count) const {
   std::vector<uvec2> out(count);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  if (count > 0) glGetNamedBufferSubData(store_->deep.buffer, GLintptr((first_ + at) * kDeepElement), GLsizeiptr(count * kDeepElement), out.data());
+  if (count > 0)
+    glGetNamedBufferSubData(store_->deep.buffer, GLintptr((first_ + at) * kDeepElement),
+                            GLsizeiptr(count * kDeepElement), out.data());
   return out;
 }
 
-void DeepBlock::bindImage(GLuint unit) const { glBindImageTexture(unit, store_->deep.texels, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI); }
+void DeepBlock::bindImage(GLuint unit) const {
+  glBindImageTexture(unit, store_->deep.texels, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32UI);
+}
 
 GLuint ShadowBlock::texture() const { return store_->arrays[int(texels_)].texture.id(); }
 GLenum ShadowBlock::format() const { return kFormats[int(texels_)]; }
 
-ShadowStore::ShadowStore(const gl::DeviceInfo& device, std::size_t budgetBytes) : state_(std::make_shared<ShadowStoreState>()) {
+ShadowStore::ShadowStore(const gl::DeviceInfo& device, std::size_t budgetBytes)
+    : state_(std::make_shared<ShadowStoreState>()) {
   state_->device = device;
   state_->budget = budgetBytes;
 }
 
-Result<std::shared_ptr<const ShadowBlock>> ShadowStore::allocate(Texels texels, int resolution, int layers, int faces) {
+Result<std::shared_ptr<const ShadowBlock>> ShadowStore::allocate(Texels texels, int resolution, int layers,
+                                                                 int faces) {
   Array& a = state_->arrays[int(texels)];
   const int edge = int(std::bit_ceil(unsigned(std::max(resolution, 16))));
   const auto take = [&](std::size_t sheet, std::size_t cell) {
     a.sheets[sheet].used[cell] = true;
-    return std::make_shared<const ShadowBlock>(state_, texels, resolution, layers, faces, int(sheet), int(cell));
+    return std::make_shared<const ShadowBlock>(state_, texels, resolution, layers, faces, int(sheet),
+                                               int(cell));
   };
   for (std::size_t i = 0; i < a.sheets.size(); ++i) {
     const Sheet& s = a.sheets[i];
@@ -173,7 +201,8 @@ Result<std::shared_ptr<const ShadowBlock>> ShadowStore::allocate(Texels texels, 
   std::size_t index = 0;
   while (index < a.sheets.size() && a.sheets[index].layers != 0) ++index;
   if (index == a.sheets.size()) a.sheets.emplace_back();
-  a.sheets[index] = {first, layers * faces, edge, across, std::vector<bool>(std::size_t(across) * std::size_t(across), false)};
+  a.sheets[index] = {first, layers * faces, edge, across,
+                     std::vector<bool>(std::size_t(across) * std::size_t(across), false)};
   return take(index, 0);
 }
 
@@ -188,8 +217,10 @@ Result<std::shared_ptr<const DeepBlock>> ShadowStore::allocateDeep(std::size_t e
     for (const Array& a : state_->arrays) others += a.texture.bytes();
     const std::size_t wanted = std::max(end, std::min(2 * arena.capacity, std::size_t(limit)));
     if (end > std::size_t(limit) || others + end * kDeepElement > state_->budget)
-      return fail(Code::Gpu, "a deep shadow map needs {} MiB more; {} MiB are set aside for shadow maps: raise its error bound or lower its resolution", (elements * kDeepElement) >> 20,
-                  state_->budget >> 20);
+      return fail(Code::Gpu,
+                  "a deep shadow map needs {} MiB more; {} MiB are set aside for shadow maps: raise its "
+                  "error bound or lower its resolution",
+                  (elements * kDeepElement) >> 20, state_->budget >> 20);
     arena.grow(others + wanted * kDeepElement > state_->budget ? end : wanted);
   }
   arena.taken.emplace(first, elements);

@@ -1,6 +1,6 @@
 #pragma once
-// All shadow maps live here: one 2D texture array per format, blocks of map layers packed into it. GL thread only; a block keeps its
-// store alive.
+// All shadow maps live here: one 2D texture array per format, blocks of map layers packed into it. GL thread
+// only; a block keeps its store alive.
 #include <array>
 #include <memory>
 #include <span>
@@ -14,15 +14,22 @@
 namespace pileus::shadow {
 
 /// Texel formats of the store.
-enum class Texels { Float = STORE_FLOAT, Half = STORE_HALF, Unorm = STORE_UNORM, Byte = STORE_BYTE, Pair = STORE_PAIR };
+enum class Texels {
+  Float = STORE_FLOAT,
+  Half = STORE_HALF,
+  Unorm = STORE_UNORM,
+  Byte = STORE_BYTE,
+  Pair = STORE_PAIR
+};
 
 struct ShadowStoreState;
 
-/// A square of `resolution` texels over `layers` consecutive layers, `faces` times; contents undefined until written. Freed with its
-/// last owner.
+/// A square of `resolution` texels over `layers` consecutive layers, `faces` times; contents undefined until
+/// written. Freed with its last owner.
 class ShadowBlock {
  public:
-  ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers, int faces, int sheet, int cell);
+  ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers, int faces,
+              int sheet, int cell);
   ~ShadowBlock();
   ShadowBlock(const ShadowBlock&) = delete;
   ShadowBlock& operator=(const ShadowBlock&) = delete;
@@ -34,7 +41,7 @@ class ShadowBlock {
   std::size_t bytes() const;
   /// Where it lies now (blocks never move, their texture may be replaced by a larger one).
   gpu::BlockRecord record() const;
-  GLuint texture() const;   ///< name of the array texture; may change when the store grows
+  GLuint texture() const;  ///< name of the array texture; may change when the store grows
   GLenum format() const;
 
  private:
@@ -43,10 +50,12 @@ class ShadowBlock {
   int resolution_, layers_, faces_, sheet_, cell_;
 };
 
-/// A run of 8-byte elements for one deep map: a header (first vertex, count) for each texel, then the vertices (x, T) of all.
+/// A run of 8-byte elements for one deep map: a header (first vertex, count) for each texel, then the
+/// vertices (x, T) of all.
 class DeepBlock {
  public:
-  DeepBlock(std::shared_ptr<ShadowStoreState> store, std::size_t first, std::size_t count) : store_(std::move(store)), first_(first), count_(count) {}
+  DeepBlock(std::shared_ptr<ShadowStoreState> store, std::size_t first, std::size_t count)
+      : store_(std::move(store)), first_(first), count_(count) {}
   ~DeepBlock();
   DeepBlock(const DeepBlock&) = delete;
   DeepBlock& operator=(const DeepBlock&) = delete;
@@ -66,7 +75,8 @@ class ShadowStore {
  public:
   ShadowStore(const gl::DeviceInfo& device, std::size_t budgetBytes);
   /// Error (Gpu) names the need and the budget.
-  Result<std::shared_ptr<const ShadowBlock>> allocate(Texels texels, int resolution, int layers, int faces = 1);
+  Result<std::shared_ptr<const ShadowBlock>> allocate(Texels texels, int resolution, int layers,
+                                                      int faces = 1);
   Result<std::shared_ptr<const DeepBlock>> allocateDeep(std::size_t elements);
   /// Every array and the deep buffer to their texture units.
   void bind() const;

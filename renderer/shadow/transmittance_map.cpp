@@ -5,7 +5,8 @@
 
 namespace pileus::shadow {
 
-TransmittancePass::TransmittancePass(const ShadowSpec& spec, const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids,
+TransmittancePass::TransmittancePass(const ShadowSpec& spec, const scene::Light& light,
+                                     const volume::InstanceList& volumes, const scene::SolidList& solids,
                                      const LightFrustum& frustum)
     : map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, spec.resolution, 64) {
   map_->kind = ShadowMap::Kind::TransmittanceFunction;
@@ -24,14 +25,19 @@ Result<double> TransmittancePass::step(const Gpu& gpu, double ms) {
   PILEUS_TRY(const double resident, pass_.prepare(gpu, ms));
   if (resident < 1) return 0.3 * resident;
   if (!map_->block) {
-    PILEUS_TRY(map_->block, gpu.store.allocate(map_->storage == Storage::Float ? Texels::Float : Texels::Half, pass_.resolution(), (map_->coefficients + 3) / 4, map_->frustum.faces()));
+    PILEUS_TRY(map_->block,
+               gpu.store.allocate(map_->storage == Storage::Float ? Texels::Float : Texels::Half,
+                                  pass_.resolution(), (map_->coefficients + 3) / 4, map_->frustum.faces()));
   }
   pass_.bindLight(*map_);
   if (!march_) march_.emplace(gpu, pass_, 2, map_->coefficients + 2);
   gl::Defines defines = march_->defines();
-  defines.insert(defines.end(), {{"BASIS", map_->basis == Basis::Cosine ? BASIS_COSINE : BASIS_FOURIER}, {"BASIS_FLOATS", map_->coefficients}, {"STORE", int(map_->block->texels())}});
+  defines.insert(defines.end(), {{"BASIS", map_->basis == Basis::Cosine ? BASIS_COSINE : BASIS_FOURIER},
+                                 {"BASIS_FLOATS", map_->coefficients},
+                                 {"STORE", int(map_->block->texels())}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/transmittance_map.comp.glsl"}, defines));
-  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, map_->block->format());
+  glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
+                     map_->block->format());
   do {
     march_->run(gpu, pass_, *program);
     pass_.next();

@@ -23,15 +23,18 @@ ComparePass::ComparePass(const RenderScene& scene)
 Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
   do {
-    // The first sample of the pictures, then the shadows' error (it costs about as much), then the other samples.
+    // The first sample of the pictures, then the shadows' error (it costs about as much), then the other
+    // samples.
     if (pictureWhole() && !shadowWhole()) {
       PILEUS_CHECK(error_.step(gpu, std::max(ms - clock.ms(), 0.0)));
       figures_.shadow = {error_.mean(), error_.quantile(0.95), error_.maximum()};
       figures_.leak = error_.leak(), figures_.dark = error_.dark(), figures_.samples = error_.samples();
     } else if (pictureFraction_ < 1) {
-      // One region each, so that both have the same samples everywhere; who is still uploading, or takes several dispatches for a region,
-      // is waited for.
-      const auto behind = [&] { return (mapped() ? mapped()->fraction : 0) <= (truth() ? truth()->fraction : 0); };
+      // One region each, so that both have the same samples everywhere; who is still uploading, or takes
+      // several dispatches for a region, is waited for.
+      const auto behind = [&] {
+        return (mapped() ? mapped()->fraction : 0) <= (truth() ? truth()->fraction : 0);
+      };
       if (behind()) PILEUS_CHECK(mapped_.step(gpu, 0));
       if (!mapped() || !behind()) {
         PILEUS_TRY(pictureFraction_, truth_.step(gpu, 0));
@@ -61,7 +64,8 @@ Result<void> ComparePass::measureRadiance() {
   ErrorFigures figures;
   if (!errors.empty()) {
     for (const double e : errors) figures.mean += e / static_cast<double>(errors.size());
-    const auto at = errors.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(errors.size() - 1));
+    const auto at =
+        errors.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(errors.size() - 1));
     std::nth_element(errors.begin(), at, errors.end());
     figures.p95 = *at;
     figures.maximum = *std::max_element(at, errors.end());
@@ -73,7 +77,8 @@ Result<void> ComparePass::measureRadiance() {
 }
 
 vec3 falseColour(double e) {
-  // Near black in the middle; then the hue, then brighter: the sign is read from the hue, the size from the lightness.
+  // Near black in the middle; then the hue, then brighter: the sign is read from the hue, the size from the
+  // lightness.
   constexpr vec3 kMiddle(0.085f, 0.09f, 0.1f);
   constexpr vec3 kDark[3] = {{0.10f, 0.28f, 0.62f}, {0.25f, 0.58f, 0.98f}, {0.66f, 0.88f, 1.0f}};
   constexpr vec3 kLeak[3] = {{0.60f, 0.14f, 0.12f}, {0.97f, 0.42f, 0.20f}, {1.0f, 0.84f, 0.46f}};
@@ -83,8 +88,8 @@ vec3 falseColour(double e) {
   return t < 2 ? glm::mix(side[0], side[1], t - 1) : glm::mix(side[1], side[2], t - 2);
 }
 
-Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const ComparePass& pass, Show show, double scale,
-                                      int slot) {
+Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const ComparePass& pass, Show show,
+                                      double scale, int slot) {
   const bool radiance = show == Show::RadianceError;
   if (radiance ? !pass.truth() || !pass.mapped() : !pass.shadowError().errors()) return 0u;
   constexpr int kColours = 511;  // odd: the middle is a texel of its own
@@ -109,7 +114,8 @@ Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const CompareP
   program->set("show", static_cast<int>(show));
   program->set("scale", static_cast<float>(std::max(scale, 1e-9)));
   glBindTextureUnit(UNIT_COMPARED, radiance ? pass.mapped()->color.id() : pass.shadowError().errors().id());
-  glBindTextureUnit(UNIT_TRUTH, radiance ? pass.truth()->color.id() : pass.shadowError().transmittances().id());
+  glBindTextureUnit(UNIT_TRUTH,
+                    radiance ? pass.truth()->color.id() : pass.shadowError().transmittances().id());
   glBindTextureUnit(UNIT_COLOURS, colours_.id());
   glBindImageTexture(IMAGE_ERROR, target.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
   const ivec2 groups = (size + 7) / 8;

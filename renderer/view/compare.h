@@ -1,7 +1,7 @@
 #pragma once
-// A picture's own shadows against the truth: the same scene and camera with every shadow marched. Both pictures are made region by region
-// in step, so that their noise is the same and their difference is the shadows' alone, and beside them the error of the shadows
-// themselves along the camera rays. GL thread.
+// A picture's own shadows against the truth: the same scene and camera with every shadow marched. Both
+// pictures are made region by region in step, so that their noise is the same and their difference is the
+// shadows' alone, and beside them the error of the shadows themselves along the camera rays. GL thread.
 #include <array>
 #include <memory>
 
@@ -16,12 +16,14 @@ struct ErrorFigures {
 };
 
 struct CompareFigures {
-  ErrorFigures shadow;         ///< |dT| over the light-ray samples in media that the picture's rays meet, all lights alike
-  double leak = 0, dark = 0;   ///< means of max(dT, 0) and max(-dT, 0) weighted by how much of a sample is seen
-  double samples = 0;          ///< those the shadow's figures stand on
-  ErrorFigures radiance;       ///< |dL|, mean of RGB, over the pixels where the truth covers something
-  double relMse = 0;           ///< of radiance, as image::compare has it
-  int pictureSamples = 0;      ///< finished samples a pixel the radiance figures stand on
+  ErrorFigures
+      shadow;  ///< |dT| over the light-ray samples in media that the picture's rays meet, all lights alike
+  double leak = 0,
+         dark = 0;         ///< means of max(dT, 0) and max(-dT, 0) weighted by how much of a sample is seen
+  double samples = 0;      ///< those the shadow's figures stand on
+  ErrorFigures radiance;   ///< |dL|, mean of RGB, over the pixels where the truth covers something
+  double relMse = 0;       ///< of radiance, as image::compare has it
+  int pictureSamples = 0;  ///< finished samples a pixel the radiance figures stand on
 };
 
 /// The scene with every shadow replaced by a march through its volumes, steps of `stepScale` voxels.
@@ -52,16 +54,19 @@ class ComparePass {
   double pictureFraction_ = 0, fraction_ = 0;
 };
 
-/// The colour of an error e in [-1, 1]: from blue (too dark) over near black to red (light leaks), linear steps of display values.
+/// The colour of an error e in [-1, 1]: from blue (too dark) over near black to red (light leaks), linear
+/// steps of display values.
 vec3 falseColour(double e);
 
 /// Draws what a comparison shows, ready for the display.
 class CompareDisplay {
  public:
   enum class Show { RadianceError, ShadowError, WorstError, MappedTransmittance, TrueTransmittance };
-  /// The error `scale` is shown in the colours' ends. The texture (RGBA8, of the pass's size, row 0 on top) stays the display's own and
-  /// valid until the next call with the same slot; 0 while there is nothing to show.
-  Result<unsigned> draw(gl::ShaderLibrary& shaders, const ComparePass& pass, Show show, double scale, int slot = 0);
+  /// The error `scale` is shown in the colours' ends. The texture (RGBA8, of the pass's size, row 0 on top)
+  /// stays the display's own and valid until the next call with the same slot; 0 while there is nothing to
+  /// show.
+  Result<unsigned> draw(gl::ShaderLibrary& shaders, const ComparePass& pass, Show show, double scale,
+                        int slot = 0);
 
  private:
   std::array<gl::Texture, 2> targets_;

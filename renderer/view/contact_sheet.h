@@ -14,9 +14,11 @@ struct SheetOptions {
   double exposure = 0;        ///< stops
 };
 
-/// Display-referred. Below each picture: where it is too dark (blue) or lets light leak (red), full colour at a quarter of the truth's
-/// 99th percentile of luminance. Error (Arguments) where display or view do not exist.
-Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries, const image::ColorConfig& config, const SheetOptions& options);
+/// Display-referred. Below each picture: where it is too dark (blue) or lets light leak (red), full colour at
+/// a quarter of the truth's 99th percentile of luminance. Error (Arguments) where display or view do not
+/// exist.
+Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries,
+                                   const image::ColorConfig& config, const SheetOptions& options);
 
 /// `v` in [-1, 1] -> blue, near black, red; clamped. Display-referred.
 vec3 signedColor(double v);

@@ -1,6 +1,6 @@
 #pragma once
-// Picture -> display-referred 8-bit texture. In this order: gain, view transform, gamma, dither of one code value, channel, clip marks.
-// Float all the way; nothing is clamped before the view transform. GL thread.
+// Picture -> display-referred 8-bit texture. In this order: gain, view transform, gamma, dither of one code
+// value, channel, clip marks. Float all the way; nothing is clamped before the view transform. GL thread.
 #include <array>
 #include <map>
 #include <memory>
@@ -16,8 +16,8 @@ class ShaderLibrary;
 
 namespace pileus::view {
 
-/// One channel on its own, as grey. Luminance is taken of scene light and goes through the view transform; alpha and transmittance are
-/// no light and go around it.
+/// One channel on its own, as grey. Luminance is taken of scene light and goes through the view transform;
+/// alpha and transmittance are no light and go around it.
 enum class Channel { Color, Red, Green, Blue, Alpha, Luminance, Transmittance };
 constexpr auto enumInfo(Channel*) {
   using C = Channel;
@@ -37,9 +37,9 @@ struct DisplaySettings {
   double gamma = 1;           ///< behind the view transform
   bool raw = false;           ///< no view transform: scene values as they are
   Channel channel = Channel::Color;
-  bool falseColor = false;    ///< bands of exposure instead of the view transform
-  bool zebra = false;         ///< marks what is clipped
-  vec2 range{0};              ///< of data such as depth, shown from white to dark grey; y <= x: the picture is light
+  bool falseColor = false;  ///< bands of exposure instead of the view transform
+  bool zebra = false;       ///< marks what is clipped
+  vec2 range{0};  ///< of data such as depth, shown from white to dark grey; y <= x: the picture is light
   bool operator==(const DisplaySettings&) const = default;
 };
 
@@ -47,7 +47,8 @@ struct DisplaySettings {
 inline constexpr vec3 kLuminance{0.2722287f, 0.6740818f, 0.0536895f};
 /// Scene luminance that false colours call 0 stops.
 inline constexpr double kMiddleGrey = 0.18;
-/// Display colours of false colour: band i is centred on i - 7 stops around middle grey; the first and last hold all that is beyond.
+/// Display colours of false colour: band i is centred on i - 7 stops around middle grey; the first and last
+/// hold all that is beyond.
 inline constexpr int kExposureBands = 15;
 const std::array<vec3, kExposureBands>& exposureBands();
 
@@ -55,11 +56,12 @@ class Display {
  public:
   explicit Display(gl::ShaderLibrary& shaders);
   ~Display();
-  /// Draws `color` (RGBA32F, size `size`) into a texture of `outputSize` (bilinear when magnified, area-averaged when reduced) that
-  /// stays owned by the Display and valid until the next call with the same slot. Alpha 1: the picture stands over black. Returns the
-  /// GL texture name (RGBA8, row 0 on top). Programs are cached by the transform's key.
-  Result<unsigned> draw(const gl::Texture& color, ivec2 size, ivec2 outputSize, const image::ColorConfig& config, const DisplaySettings& settings,
-                        int slot = 0);
+  /// Draws `color` (RGBA32F, size `size`) into a texture of `outputSize` (bilinear when magnified,
+  /// area-averaged when reduced) that stays owned by the Display and valid until the next call with the same
+  /// slot. Alpha 1: the picture stands over black. Returns the GL texture name (RGBA8, row 0 on top).
+  /// Programs are cached by the transform's key.
+  Result<unsigned> draw(const gl::Texture& color, ivec2 size, ivec2 outputSize,
+                        const image::ColorConfig& config, const DisplaySettings& settings, int slot = 0);
 
  private:
   struct Impl;

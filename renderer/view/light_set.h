@@ -1,6 +1,6 @@
 #pragma once
-// The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes their
-// shadows march through and the solids that block them. GL thread.
+// The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes
+// their shadows march through and the solids that block them. GL thread.
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/volume_set.h"

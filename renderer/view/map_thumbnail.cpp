@@ -45,7 +45,8 @@ Result<int> draw(const shadow::Gpu& gpu, const Source& source, int tile, gl::Tex
 
 }  // namespace
 
-Result<int> drawMapThumbnail(const shadow::Gpu& gpu, const shadow::ShadowMap& map, int tile, gl::Texture& into) {
+Result<int> drawMapThumbnail(const shadow::Gpu& gpu, const shadow::ShadowMap& map, int tile,
+                             gl::Texture& into) {
   Source source;
   if (map.deep)
     source = {Mode::Deep, 2, ivec4(0, 0, map.spec.resolution, static_cast<int>(map.deep->first())), 0};
@@ -54,11 +55,14 @@ Result<int> drawMapThumbnail(const shadow::Gpu& gpu, const shadow::ShadowMap& ma
   return draw(gpu, source, tile, into);
 }
 
-Result<int> drawMapThumbnail(const shadow::Gpu& gpu, const shadow::PseudometricMap& map, int tile, gl::Texture& into) {
+Result<int> drawMapThumbnail(const shadow::Gpu& gpu, const shadow::PseudometricMap& map, int tile,
+                             gl::Texture& into) {
   if (!map.block) return 0;
   const bool intervals = map.options.metric == shadow::Metric::Interval;
-  return draw(gpu, ofBlock(*map.block, intervals ? Mode::Ends : Mode::Signed, intervals ? 2 * map.options.intervals : map.options.coefficients), tile,
-              into);
+  return draw(gpu,
+              ofBlock(*map.block, intervals ? Mode::Ends : Mode::Signed,
+                      intervals ? 2 * map.options.intervals : map.options.coefficients),
+              tile, into);
 }
 
 }  // namespace pileus::view

@@ -11,7 +11,8 @@ namespace {
 // Iterations of one lookup in a stored shadow: four texels, and of a deep map a binary search in each.
 constexpr double kLookup = 8, kDeepLookup = 64;
 
-static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535 - 4000, "8 lanes, each in the longest march of its own");
+static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535 - 4000,
+              "8 lanes, each in the longest march of its own");
 
 /// The longest way through a volume, metres.
 double longestWay(const volume::Instance& i) {
@@ -19,7 +20,8 @@ double longestWay(const volume::Instance& i) {
   const dvec3 size = local.max - local.min;
   double longest = 0;
   for (const double y : {-1.0, 1.0})
-    for (const double z : {-1.0, 1.0}) longest = std::max(longest, glm::length(dvec3(i.worldFromLocal * dvec4(size * dvec3(1, y, z), 0))));
+    for (const double z : {-1.0, 1.0})
+      longest = std::max(longest, glm::length(dvec3(i.worldFromLocal * dvec4(size * dvec3(1, y, z), 0))));
   return longest;
 }
 
@@ -28,7 +30,8 @@ double cameraSteps(const RenderOptions& o, const volume::Instance& i) {
   const double way = longestWay(i);
   const dvec3 centre(i.worldFromLocal * dvec4(volume::localBounds(i).center(), 1));
   const double nearest = std::max(glm::length(centre - o.camera.eye) - 0.5 * way, 0.0);
-  const double footprint = i.shape == volume::Shape::Grid ? 2 * std::tan(glm::radians(o.camera.fov) / 2) / o.size.y * nearest : 0;
+  const double footprint =
+      i.shape == volume::Shape::Grid ? 2 * std::tan(glm::radians(o.camera.fov) / 2) / o.size.y * nearest : 0;
   return 1 + way / (std::max(volume::detailSize(i), footprint) * o.stepScale);
 }
 
@@ -38,14 +41,16 @@ double shadowCost(const shadow::ShadowMap& shadow) {
   double sum = 0;
   for (const volume::Instance& i : shadow.volumes) {
     if (i.emission) continue;
-    const double steps = i.shape == volume::Shape::Grid ? longestWay(i) / (volume::detailSize(i) * shadow.stepScale) : 1;
+    const double steps =
+        i.shape == volume::Shape::Grid ? longestWay(i) / (volume::detailSize(i) * shadow.stepScale) : 1;
     sum += 2 + std::clamp(steps, 1.0, double(MARCH_MOST_STEPS)) / MARCH_UNROLL;
   }
   return sum;
 }
 
 /// The largest sum over the volumes of one tile.
-double mostInTile(ivec2 size, std::span<const residency::PixelBounds> bounds, const std::vector<double>& values) {
+double mostInTile(ivec2 size, std::span<const residency::PixelBounds> bounds,
+                  const std::vector<double>& values) {
   constexpr int kTile = residency::TileLists::kTile;
   const ivec2 grid = (size + kTile - 1) / kTile;
   std::vector<double> tiles(std::size_t(grid.x) * std::size_t(grid.y), 0.0);
@@ -53,15 +58,16 @@ double mostInTile(ivec2 size, std::span<const residency::PixelBounds> bounds, co
     const ivec2 lo = glm::max(bounds[i].min, ivec2(0)), hi = glm::min(bounds[i].max, size);
     if (lo.x >= hi.x || lo.y >= hi.y) continue;
     for (int y = lo.y / kTile; y <= (hi.y - 1) / kTile; ++y)
-      for (int x = lo.x / kTile; x <= (hi.x - 1) / kTile; ++x) tiles[std::size_t(y * grid.x + x)] += values[i];
+      for (int x = lo.x / kTile; x <= (hi.x - 1) / kTile; ++x)
+        tiles[std::size_t(y * grid.x + x)] += values[i];
   }
   return tiles.empty() ? 0 : *std::max_element(tiles.begin(), tiles.end());
 }
 
 }  // namespace
 
-MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> volumes, std::span<const residency::PixelBounds> bounds, int longest,
-                    const LightSet& lights) {
+MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> volumes,
+                    std::span<const residency::PixelBounds> bounds, int longest, const LightSet& lights) {
   std::vector<double> steps;
   for (const volume::Instance& i : volumes) steps.push_back(cameraSteps(o, i));
   const double stretches = 2.0 * longest + 1;

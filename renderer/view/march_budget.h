@@ -1,6 +1,7 @@
 #pragma once
-// llvmpipe ends all loops of a shader invocation, without a word, once they have run 65535 times in total. What a camera march through a
-// scene may cost, and the dispatches it takes to stay below (shaders/lib/resume.glsl). Elsewhere there is no such limit.
+// llvmpipe ends all loops of a shader invocation, without a word, once they have run 65535 times in total.
+// What a camera march through a scene may cost, and the dispatches it takes to stay below
+// (shaders/lib/resume.glsl). Elsewhere there is no such limit.
 #include <span>
 
 #include "renderer/gl/buffer.h"
@@ -14,27 +15,31 @@ namespace pileus::view {
 
 /// Upper bounds, in loop iterations.
 struct MarchCost {
-  double pixel = 0;                          ///< the whole of one camera ray
-  int stretch = 0, step = 0, sample = 0;     ///< of their lists and lights, without shadow marches
+  double pixel = 0;                       ///< the whole of one camera ray
+  int stretch = 0, step = 0, sample = 0;  ///< of their lists and lights, without shadow marches
 };
 
 /// `volumes` are drawn, `bounds` their pixels, `longest` the volumes of the fullest tile.
-MarchCost marchCost(const RenderOptions& options, std::span<const volume::Instance> volumes, std::span<const residency::PixelBounds> bounds, int longest,
-                    const LightSet& lights);
+MarchCost marchCost(const RenderOptions& options, std::span<const volume::Instance> volumes,
+                    std::span<const residency::PixelBounds> bounds, int longest, const LightSet& lights);
 
 /// Whether marches run in one dispatch each, and if they do not, the states they are kept in. GL thread.
 class MarchBudget {
  public:
   /// In one dispatch up to here: the estimate is a bound, but drivers count loops we do not.
   static constexpr double kOneDispatch = 40000;
-  /// Iterations a lane may begin more work with: 8 lanes x (kLane + the longest march through a volume) < 65535.
+  /// Iterations a lane may begin more work with: 8 lanes x (kLane + the longest march through a volume) <
+  /// 65535.
   static constexpr int kLane = 3500;
 
   static constexpr int kNever = -1;
-  /// `lane` kNever: one dispatch whatever it costs; > 0: pauses on every device, wherever a lane has run so many iterations (for tests).
+  /// `lane` kNever: one dispatch whatever it costs; > 0: pauses on every device, wherever a lane has run so
+  /// many iterations (for tests).
   void plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane = 0);
   bool resumes() const { return lane_ > 0; }
-  int dispatched() const { return dispatched_; }  ///< of the region at work: 0, its first dispatch is still to come
+  int dispatched() const {
+    return dispatched_;
+  }  ///< of the region at work: 0, its first dispatch is still to come
   /// Before each dispatch over `pixels` pixels of a region; sets the uniforms of lib/resume.glsl.
   void bind(gl::Program& program, int pixels);
   /// Behind it: the region's pixels that have to go on. Waits for the dispatch.

@@ -10,10 +10,12 @@ Result<image::Layer> layerOf(const Picture& picture, const std::string& name) {
   image::Layer out;
   out.name = name;
   out.pixels.resize(std::size_t(picture.size.x) * std::size_t(picture.size.y) * 4);
-  glGetTextureImage(picture.color.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(out.pixels.size() * sizeof(float)), out.pixels.data());
+  glGetTextureImage(picture.color.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(out.pixels.size() * sizeof(float)),
+                    out.pixels.data());
   for (std::size_t i = 0; i < out.pixels.size(); ++i)
     if (!std::isfinite(out.pixels[i]))
-      return fail(Code::Internal, "the picture{} holds {} at pixel {}, {}", name.empty() ? "" : "'s layer " + name, out.pixels[i], i / 4 % std::size_t(picture.size.x),
+      return fail(Code::Internal, "the picture{} holds {} at pixel {}, {}",
+                  name.empty() ? "" : "'s layer " + name, out.pixels[i], i / 4 % std::size_t(picture.size.x),
                   i / 4 / std::size_t(picture.size.x));
   if (picture.layer.kind != PictureLayer::Kind::Depth) return out;
   out.channels = 1;
@@ -31,7 +33,8 @@ void blit(const Picture& from, const Picture& to, GLenum filter) {
   const bool scissor = glIsEnabled(GL_SCISSOR_TEST);
   glDisable(GL_SCISSOR_TEST);
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-  glBlitNamedFramebuffer(framebuffers[0], framebuffers[1], 0, 0, from.size.x, from.size.y, 0, 0, to.size.x, to.size.y, GL_COLOR_BUFFER_BIT, filter);
+  glBlitNamedFramebuffer(framebuffers[0], framebuffers[1], 0, 0, from.size.x, from.size.y, 0, 0, to.size.x,
+                         to.size.y, GL_COLOR_BUFFER_BIT, filter);
   if (scissor) glEnable(GL_SCISSOR_TEST);
   glDeleteFramebuffers(2, framebuffers);
 }
@@ -52,7 +55,9 @@ Result<image::Image> readBack(const Picture& picture) {
   return out;
 }
 
-void stretch(const Picture& from, const Picture& to) { blit(from, to, from.size == to.size ? GL_NEAREST : GL_LINEAR); }
+void stretch(const Picture& from, const Picture& to) {
+  blit(from, to, from.size == to.size ? GL_NEAREST : GL_LINEAR);
+}
 void sample(const Picture& from, const Picture& to) { blit(from, to, GL_NEAREST); }
 
 std::shared_ptr<const Picture> stillOf(const Picture& picture) {

@@ -31,7 +31,8 @@ std::optional<Crossing> crossing(const volume::Instance& i, const dvec3& from, c
   if (bounds.empty() || !(volume::majorant(i) > 0)) return std::nullopt;
   const dmat4 local = glm::inverse(i.worldFromLocal);
   Crossing c{dvec3(local * dvec4(from, 1)), dvec3(local * dvec4(to - from, 0)), {}};
-  const auto hit = i.shape == volume::Shape::Ball ? intersectBall(c.o, c.d) : intersectBox(c.o, c.d, bounds.min, bounds.max);
+  const auto hit = i.shape == volume::Shape::Ball ? intersectBall(c.o, c.d)
+                                                  : intersectBox(c.o, c.d, bounds.min, bounds.max);
   if (!hit) return std::nullopt;
   c.range = glm::clamp(*hit, 0.0, 1.0);
   return c.range.x < c.range.y ? std::optional(c) : std::nullopt;
@@ -45,7 +46,8 @@ void addCoverage(const volume::Instance& i, const Crossing& c, std::vector<dvec2
   for (int k = 0; k <= kCoverageSteps; ++k) {
     const double x = glm::mix(c.range.x, c.range.y, (k + 0.5) / kCoverageSteps);
     const ivec3 b = ivec3(glm::floor((c.o + x * c.d - dvec3(i.grid->origin)) / double(volume::kBrickSize)));
-    const bool inside = k < kCoverageSteps && glm::all(glm::greaterThanEqual(b, ivec3(0))) && glm::all(glm::lessThan(b, level.bricks)) && volume::occupied(i, level.at(b));
+    const bool inside = k < kCoverageSteps && glm::all(glm::greaterThanEqual(b, ivec3(0))) &&
+                        glm::all(glm::lessThan(b, level.bricks)) && volume::occupied(i, level.at(b));
     const double edge = glm::mix(c.range.x, c.range.y, double(k) / kCoverageSteps);
     if (inside && start < 0) start = edge;
     if (!inside && start >= 0) {
@@ -59,8 +61,10 @@ std::vector<dvec2> united(std::vector<dvec2> parts) {
   std::sort(parts.begin(), parts.end(), [](dvec2 a, dvec2 b) { return a.x < b.x; });
   std::vector<dvec2> out;
   for (const dvec2 p : parts) {
-    if (!out.empty() && p.x <= out.back().y + 1e-9) out.back().y = std::max(out.back().y, p.y);
-    else out.push_back(p);
+    if (!out.empty() && p.x <= out.back().y + 1e-9)
+      out.back().y = std::max(out.back().y, p.y);
+    else
+      out.push_back(p);
   }
   return out;
 }
@@ -69,9 +73,11 @@ void measure(RayProbe& probe) {
   double sum = 0, length = 0;
   const std::size_t n = probe.mapped.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const bool inMedium = std::any_of(probe.covered.begin(), probe.covered.end(), [&](dvec2 c) { return probe.x[i] >= c.x && probe.x[i] <= c.y; });
+    const bool inMedium = std::any_of(probe.covered.begin(), probe.covered.end(),
+                                      [&](dvec2 c) { return probe.x[i] >= c.x && probe.x[i] <= c.y; });
     if (!inMedium) continue;
-    const double e = std::abs(probe.mapped[i] - probe.exact[i]), step = 0.5 * (probe.x[std::min(i + 1, n - 1)] - probe.x[i > 0 ? i - 1 : 0]);
+    const double e = std::abs(probe.mapped[i] - probe.exact[i]),
+                 step = 0.5 * (probe.x[std::min(i + 1, n - 1)] - probe.x[i > 0 ? i - 1 : 0]);
     sum += step * e;
     length += step;
     if (e > probe.maxError) probe.maxError = e, probe.maxErrorX = probe.x[i];
@@ -84,7 +90,8 @@ std::vector<double> positionsOf(const std::vector<dvec2>& covered, int count) {
   std::vector<double> x;
   for (int i = 0; i < count; ++i) x.push_back(double(i) / (count - 1));
   if (!covered.empty()) {
-    const double room = 0.02 * (covered.back().y - covered.front().x), lo = std::max(covered.front().x - room, 0.0), hi = std::min(covered.back().y + room, 1.0);
+    const double room = 0.02 * (covered.back().y - covered.front().x),
+                 lo = std::max(covered.front().x - room, 0.0), hi = std::min(covered.back().y + room, 1.0);
     for (int i = 0; i < count; ++i) x.push_back(glm::mix(lo, hi, (i + 0.5) / count));
   }
   std::sort(x.begin(), x.end());
@@ -93,7 +100,8 @@ std::vector<double> positionsOf(const std::vector<dvec2>& covered, int count) {
 
 }  // namespace
 
-Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& light, const dvec3& point, int count) {
+Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& light, const dvec3& point,
+                          int count) {
   if (!light.shadow) return fail(Code::Input, "this light has no shadow");
   RayProbe probe;
   probe.map = light.shadow;
@@ -101,7 +109,8 @@ Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& l
   const ShadowMap& map = *light.shadow;
   const bool marched = map.kind == ShadowMap::Kind::RayMarch;
   const int resolution = map.block ? map.block->resolution() : marched ? 1024 : map.spec.resolution;
-  const shadow::LightFrustum frustum = marched ? shadow::fitLight(light.light, map.volumes, resolution) : map.frustum;
+  const shadow::LightFrustum frustum =
+      marched ? shadow::fitLight(light.light, map.volumes, resolution) : map.frustum;
   const shadow::MapPoint at = shadow::mapCoordinates(frustum, point, resolution);
   const dvec2 uv(at.at);
   if (!marched && (glm::any(glm::lessThan(uv, dvec2(0))) || glm::any(glm::greaterThan(uv, dvec2(1)))))
@@ -112,7 +121,8 @@ Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& l
   probe.nearDistance = frustum.perspective() ? frustum.nearDistance : 0;
   probe.pointX = std::clamp(at.at.z, 0.0, 1.0);
   const scene::Incidence incidence = scene::incidence(light.light, point);
-  const dvec3 lit = light.light.kind == scene::LightKind::Sun ? point + incidence.towards * 1e9 : light.light.position;
+  const dvec3 lit =
+      light.light.kind == scene::LightKind::Sun ? point + incidence.towards * 1e9 : light.light.position;
   probe.blocked = scene::blocked(map.solids, point, lit);
 
   std::vector<dvec2> covered;
@@ -126,7 +136,8 @@ Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& l
   }
   probe.covered = united(std::move(covered));
   probe.x = positionsOf(probe.covered, count);
-  for (const double tau : shadow::cumulativeOpticalDepth(map.volumes, segment.from, segment.to, probe.x)) probe.exact.push_back(std::exp(-tau));
+  for (const double tau : shadow::cumulativeOpticalDepth(map.volumes, segment.from, segment.to, probe.x))
+    probe.exact.push_back(std::exp(-tau));
   if (!marched) {
     std::vector<vec4> positions;
     for (const double x : probe.x) positions.push_back(vec4(vec3(glm::mix(segment.from, segment.to, x)), 0));
@@ -135,7 +146,8 @@ Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& l
     probe.taps = shadow::readTaps(map, at.face, uv);
     measure(probe);
   }
-  for (const double x : probe.x) probe.u.push_back(probe.taps.taps.empty() ? x : shadow::tapU(map, probe.taps.taps.front(), x));
+  for (const double x : probe.x)
+    probe.u.push_back(probe.taps.taps.empty() ? x : shadow::tapU(map, probe.taps.taps.front(), x));
   return probe;
 }
 
@@ -155,9 +167,14 @@ ExtinctionOverU extinctionOverU(const RayProbe& probe, std::span<const char> mut
     // What lies behind a horizon is no part of g.
     if (!(tau > 0) || (probe.map->horizon && probe.u[i] >= 1 - 1e-9)) continue;
     // A step with mass where the metric stands still: all of it falls into one bin.
-    const int first = std::clamp(int(std::floor(std::min(u0, u1))), 0, count - 1), last = std::clamp(int(std::ceil(std::max(u0, u1))) - 1, first, count - 1);
+    const int first = std::clamp(int(std::floor(std::min(u0, u1))), 0, count - 1),
+              last = std::clamp(int(std::ceil(std::max(u0, u1))) - 1, first, count - 1);
     for (int b = first; b <= last; ++b) {
-      const double part = first == last ? 1 : std::max(std::min(std::max(u0, u1), b + 1.0) - std::max(std::min(u0, u1), double(b)), 0.0) / std::abs(u1 - u0);
+      const double part =
+          first == last
+              ? 1
+              : std::max(std::min(std::max(u0, u1), b + 1.0) - std::max(std::min(u0, u1), double(b)), 0.0) /
+                    std::abs(u1 - u0);
       bins[std::size_t(b)] += tau * part;
     }
   }
@@ -167,7 +184,8 @@ ExtinctionOverU extinctionOverU(const RayProbe& probe, std::span<const char> mut
   }
   const ShadowMap& map = *probe.map;
   if (map.kind != ShadowMap::Kind::Extinction || probe.taps.taps.empty()) return out;
-  for (const double u : out.u) out.mapped.push_back(shadow::tapExtinction(map, probe.taps.taps.front(), u, muted));
+  for (const double u : out.u)
+    out.mapped.push_back(shadow::tapExtinction(map, probe.taps.taps.front(), u, muted));
   return out;
 }
 

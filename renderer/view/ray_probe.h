@@ -1,6 +1,6 @@
 #pragma once
-// One light ray under the glass: the exact transmittance along it beside what the light's map makes of it, and what the map holds there.
-// Plain values once made; GL thread to make.
+// One light ray under the glass: the exact transmittance along it beside what the light's map makes of it,
+// and what the map holds there. Plain values once made; GL thread to make.
 #include <string>
 #include <vector>
 
@@ -12,25 +12,25 @@ namespace pileus::view {
 /// A part of the ray inside a volume; x as everywhere.
 struct RayPart {
   double from = 0, to = 0;
-  int volume = 0;      ///< index in the shadow's volumes
-  std::string name;    ///< "Box 1", or a grid's name
+  int volume = 0;    ///< index in the shadow's volumes
+  std::string name;  ///< "Box 1", or a grid's name
 };
 
 struct RayProbe {
   std::shared_ptr<const shadow::ShadowMap> map;
   dvec3 point{0};
-  dvec3 from{0}, to{0};         ///< world, at x = 0 and 1; x runs from the light's side to the far end of its map
-  double nearDistance = 0;      ///< metres from a point or spot light to x = 0; 0 for a sun
-  double length = 0;            ///< metres from x = 0 to 1
-  double pointX = 0;            ///< x of the point
-  bool blocked = false;         ///< a solid stands between the point and the light
+  dvec3 from{0}, to{0};     ///< world, at x = 0 and 1; x runs from the light's side to the far end of its map
+  double nearDistance = 0;  ///< metres from a point or spot light to x = 0; 0 for a sun
+  double length = 0;        ///< metres from x = 0 to 1
+  double pointX = 0;        ///< x of the point
+  bool blocked = false;     ///< a solid stands between the point and the light
 
-  std::vector<double> x;        ///< rising from 0 to 1: evenly, and as many again where the media are
-  std::vector<double> exact;    ///< transmittance by regular tracking
-  std::vector<double> mapped;   ///< transmittance by the map, on the GPU; empty for RayMarch
-  std::vector<double> u;        ///< the metric in front of x, by the heaviest tap; x where there is none
-  std::vector<RayPart> parts;   ///< by volume, in the order of the shadow's volumes
-  std::vector<dvec2> covered;   ///< disjoint x ranges that the volumes (of grids: their occupied bricks) cover
+  std::vector<double> x;       ///< rising from 0 to 1: evenly, and as many again where the media are
+  std::vector<double> exact;   ///< transmittance by regular tracking
+  std::vector<double> mapped;  ///< transmittance by the map, on the GPU; empty for RayMarch
+  std::vector<double> u;       ///< the metric in front of x, by the heaviest tap; x where there is none
+  std::vector<RayPart> parts;  ///< by volume, in the order of the shadow's volumes
+  std::vector<dvec2> covered;  ///< disjoint x ranges that the volumes (of grids: their occupied bricks) cover
   shadow::MapTaps taps;
 
   double metres(double at) const { return nearDistance + at * length; }
@@ -38,8 +38,10 @@ struct RayProbe {
   double meanError = 0, maxError = 0, maxErrorX = 0;
 };
 
-/// The ray through a world point, at 2 `count` positions. Error (Input): the light has no shadow, or its map does not see the point.
-Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& light, const dvec3& point, int count = 256);
+/// The ray through a world point, at 2 `count` positions. Error (Input): the light has no shadow, or its map
+/// does not see the point.
+Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& light, const dvec3& point,
+                          int count = 256);
 
 /// T at every position of the probe with some coefficients muted (shadow::tapsTransmittance).
 std::vector<double> mutedTransmittance(const RayProbe& probe, std::span<const char> muted);

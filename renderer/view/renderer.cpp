@@ -5,7 +5,8 @@
 namespace pileus::view {
 namespace {
 
-/// Bytes for bricks and maps together where the user names none: most of a GPU's memory where the driver tells, else 2 GiB.
+/// Bytes for bricks and maps together where the user names none: most of a GPU's memory where the driver
+/// tells, else 2 GiB.
 std::size_t defaultMemory(const gl::DeviceInfo& device) {
   constexpr std::size_t kGiB = std::size_t(1) << 30;
   if (device.software) return 3 * kGiB;
@@ -20,7 +21,10 @@ std::size_t defaultMemory(const gl::DeviceInfo& device) {
 }  // namespace
 
 Renderer::Renderer(gl::DeviceInfo device, std::size_t gpuMemory)
-    : device_(std::move(device)), gpuMemory_(gpuMemory), bricks_(device_, gpuMemory_ / 3 * 2), shadows_(device_, gpuMemory_ / 3) {}
+    : device_(std::move(device)),
+      gpuMemory_(gpuMemory),
+      bricks_(device_, gpuMemory_ / 3 * 2),
+      shadows_(device_, gpuMemory_ / 3) {}
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& options) {
   PILEUS_TRY(gl::DeviceInfo device, gl::inspectCurrentContext());

@@ -1,5 +1,6 @@
 #pragma once
-// The GPU services that passes share: shader programs, the brick pool, the shadow store. One per context; GL thread only.
+// The GPU services that passes share: shader programs, the brick pool, the shadow store. One per context; GL
+// thread only.
 #include <memory>
 
 #include "renderer/gl/context.h"

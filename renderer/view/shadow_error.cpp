@@ -11,14 +11,15 @@
 namespace pileus::view {
 namespace {
 
-constexpr int kRows = 16;           // of a region
-constexpr double kRegionMs = 12;    // wanted: a dispatch cannot be interrupted
-constexpr int kInRegisters = 4;     // volumes of an overlap
+constexpr int kRows = 16;         // of a region
+constexpr double kRegionMs = 12;  // wanted: a dispatch cannot be interrupted
+constexpr int kInRegisters = 4;   // volumes of an overlap
 constexpr int kPairs = MAX_LIGHTS / 2;
 
 }  // namespace
 
-ShadowErrorPass::ShadowErrorPass(const RenderScene& scene, const RenderScene& truth) : options_(scene.options) {
+ShadowErrorPass::ShadowErrorPass(const RenderScene& scene, const RenderScene& truth)
+    : options_(scene.options) {
   std::vector<shadow::ShadowedLight> pairs;
   const auto close = [&] {
     if (!pairs.empty()) groups_.emplace_back(std::exchange(pairs, {}), scene.volumes, scene.solids);
@@ -45,7 +46,8 @@ void ShadowErrorPass::start(const gl::DeviceInfo& device) {
   const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, options_);
   tiles_.build(options_.size, bounds);
   budgets_.resize(groups_.size());
-  for (std::size_t i = 0; i < groups_.size(); ++i) budgets_[i].plan(marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device, pauseAfter_);
+  for (std::size_t i = 0; i < groups_.size(); ++i)
+    budgets_[i].plan(marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device, pauseAfter_);
   const std::vector<unsigned> zero(ERROR_BINS, 0u);
   bins_.assign(std::span<const unsigned>(zero));
 }
@@ -69,13 +71,15 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
     if (took > 2 * kRegionMs) width_ = std::max(width_ / 2, 8);
     next_ = to.x < options_.size.x ? ivec2(to.x, from.y) : ivec2(0, to.y);
     const int rows = std::min(kRows, options_.size.y - next_.y);  // the last strip may be lower
-    fraction_ = rows <= 0 ? 1.0 : (next_.y + static_cast<double>(rows * next_.x) / options_.size.x) / options_.size.y;
+    fraction_ =
+        rows <= 0 ? 1.0 : (next_.y + static_cast<double>(rows * next_.x) / options_.size.x) / options_.size.y;
     if (clock.ms() >= ms) break;
   }
   return fraction_;
 }
 
-Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget, ivec2 from, ivec2 to) {
+Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget,
+                                       ivec2 from, ivec2 to) {
   gl::Defines defines = lights.defines();
   const bool solids = lights.drawnSolids() > 0;
   defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
@@ -100,15 +104,17 @@ Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights,
   do {
     if (budget.resumes()) budget.bind(*program, (to.x - from.x) * (to.y - from.y));
     glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
-                    GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                    GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
   } while (budget.resumes() && budget.unfinished() > 0);
   return {};
 }
 
 void ShadowErrorPass::collect(ivec2 from, ivec2 to) {
   const ivec2 size = to - from;
-  std::vector<vec4> error(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)), seen(error.size());
+  std::vector<vec4> error(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)),
+      seen(error.size());
   const auto read = [&](const gl::Texture& texture, std::vector<vec4>& into) {
     glGetTextureSubImage(texture.id(), 0, from.x, from.y, 0, size.x, size.y, 1, GL_RGBA, GL_FLOAT,
                          static_cast<GLsizei>(into.size() * sizeof(vec4)), into.data());
@@ -128,7 +134,8 @@ void ShadowErrorPass::collect(ivec2 from, ivec2 to) {
 double ShadowErrorPass::quantile(double q) const {
   if (!errors_ || samples_ <= 0) return 0;
   std::vector<unsigned> bins(ERROR_BINS);
-  glGetNamedBufferSubData(bins_.id(), 0, static_cast<GLsizeiptr>(bins.size() * sizeof(unsigned)), bins.data());
+  glGetNamedBufferSubData(bins_.id(), 0, static_cast<GLsizeiptr>(bins.size() * sizeof(unsigned)),
+                          bins.data());
   double all = 0, below = 0;
   for (const unsigned n : bins) all += n;
   const double wanted = q * all;

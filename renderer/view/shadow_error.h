@@ -1,6 +1,6 @@
 #pragma once
-// The error of shadow maps where a picture looks: at every sample of its camera rays, transmittance by the map minus transmittance by a
-// march. GL thread.
+// The error of shadow maps where a picture looks: at every sample of its camera rays, transmittance by the
+// map minus transmittance by a march. GL thread.
 #include <vector>
 
 #include "renderer/gl/buffer.h"
@@ -18,8 +18,8 @@ class ShadowErrorPass {
  public:
   /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
   ShadowErrorPass(const RenderScene& scene, const RenderScene& truth);
-  /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or MarchBudget::kNever);
-  /// before the first step.
+  /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
+  /// MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
@@ -31,7 +31,9 @@ class ShadowErrorPass {
   double maximum() const { return maximum_; }
   /// |dT| that a share q of the samples does not exceed; to 1.4 %, 0 below 1e-6.
   double quantile(double q) const;
-  double leak() const { return seen_ > 0 ? leak_ / seen_ : 0; }  ///< mean of the pixels' max(dT, 0), each counted by what is seen
+  double leak() const {
+    return seen_ > 0 ? leak_ / seen_ : 0;
+  }  ///< mean of the pixels' max(dT, 0), each counted by what is seen
   double dark() const { return seen_ > 0 ? dark_ / seen_ : 0; }
 
   /// RGBA32F, as in view/shadow_error.comp.glsl; no texture before the first region.
@@ -43,15 +45,15 @@ class ShadowErrorPass {
   Result<void> dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget, ivec2 from, ivec2 to);
   void collect(ivec2 from, ivec2 to);
   RenderOptions options_;
-  std::vector<LightSet> groups_;  ///< pairs of lights, as many as one dispatch may hold
+  std::vector<LightSet> groups_;      ///< pairs of lights, as many as one dispatch may hold
   std::vector<MarchBudget> budgets_;  ///< of each group
   int pauseAfter_ = 0;
   residency::VolumeSet set_;
   residency::TileLists tiles_;
   gl::Texture errors_, transmittances_;
   gl::Buffer bins_{"error bins"};
-  ivec2 next_{0};       ///< first pixel of the next region
-  int width_ = 16;      ///< of a region: grows and shrinks with the time one takes
+  ivec2 next_{0};   ///< first pixel of the next region
+  int width_ = 16;  ///< of a region: grows and shrinks with the time one takes
   double fraction_ = 0;
   double sum_ = 0, samples_ = 0, maximum_ = 0, leak_ = 0, dark_ = 0, seen_ = 0;
 };

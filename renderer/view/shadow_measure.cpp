@@ -10,27 +10,31 @@ namespace pileus::view {
 namespace {
 
 constexpr int kBuilds = 3;
-constexpr double kOnceMs = 5000, kTwiceMs = 500;  ///< a map that takes longer is built no more than once, or twice
+constexpr double kOnceMs = 5000,
+                 kTwiceMs = 500;  ///< a map that takes longer is built no more than once, or twice
 
 }  // namespace
 
 std::vector<Caster> casters(const RenderScene& scene) {
   std::vector<Caster> out;
   for (const shadow::ShadowedLight& l : scene.lights)
-    out.push_back({int(out.size()), l.light, l.shadow ? l.shadow->volumes : scene.volumes, l.shadow ? l.shadow->solids : scene.solids});
+    out.push_back({int(out.size()), l.light, l.shadow ? l.shadow->volumes : scene.volumes,
+                   l.shadow ? l.shadow->solids : scene.solids});
   return out;
 }
 
 std::unique_ptr<SampleJob> startSampling(std::vector<Caster> casters, const SampleOptions& options) {
-  return std::make_unique<SampleJob>([casters = std::move(casters), options](JobControl& control) -> Result<std::vector<ShadowSamples>> {
-    std::vector<ShadowSamples> out;
-    for (const Caster& c : casters) {
-      auto samples = sampleShadow(c.source, c.volumes, options, control);
-      if (!samples) return fail(samples.error().code, "light {}: {}", c.light + 1, samples.error().message);
-      out.push_back(std::move(samples).value());
-    }
-    return out;
-  });
+  return std::make_unique<SampleJob>(
+      [casters = std::move(casters), options](JobControl& control) -> Result<std::vector<ShadowSamples>> {
+        std::vector<ShadowSamples> out;
+        for (const Caster& c : casters) {
+          auto samples = sampleShadow(c.source, c.volumes, options, control);
+          if (!samples)
+            return fail(samples.error().code, "light {}: {}", c.light + 1, samples.error().message);
+          out.push_back(std::move(samples).value());
+        }
+        return out;
+      });
 }
 
 Result<bool> takeSamples(std::unique_ptr<SampleJob>& job, std::vector<ShadowSamples>& samples, double ms) {
@@ -45,7 +49,8 @@ Result<bool> takeSamples(std::unique_ptr<SampleJob>& job, std::vector<ShadowSamp
   return true;
 }
 
-MeasurePass::MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, const ShadowSamples& samples, int dispatches)
+MeasurePass::MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, const ShadowSamples& samples,
+                         int dispatches)
     : caster_(caster), samples_(samples), dispatches_(dispatches) {
   measure_.light = caster.light;
   measure_.spec = spec;
@@ -57,7 +62,8 @@ MeasurePass::MeasurePass(const shadow::ShadowSpec& spec, const Caster& caster, c
 }
 
 void MeasurePass::startBuild() {
-  pass_ = std::make_unique<shadow::ShadowPass>(measure_.spec, caster_.source, caster_.volumes, caster_.solids);
+  pass_ =
+      std::make_unique<shadow::ShadowPass>(measure_.spec, caster_.source, caster_.volumes, caster_.solids);
   thisBuildMs_ = 0;
 }
 

@@ -12,14 +12,15 @@ namespace pileus::view {
 namespace {
 
 constexpr int kGroup = 64;
-constexpr int kChunk = 4096;           ///< points of an untimed dispatch: a march may be long
-constexpr double kDispatchMs = 20;     ///< a timed dispatch takes at least this
+constexpr int kChunk = 4096;        ///< points of an untimed dispatch: a march may be long
+constexpr double kDispatchMs = 20;  ///< a timed dispatch takes at least this
 constexpr int kMaxRepeats = 1 << 15;
 
 /// Everything bound for lookups of one map at given points.
 class Lookups {
  public:
-  static Result<Lookups> create(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions) {
+  static Result<Lookups> create(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
+                                std::span<const vec4> positions) {
     Lookups l(map, positions);
     for (double done = 0; done < 1;) {
       PILEUS_TRY(const residency::Residency r, l.volumes_.prepare(gpu.bricks, l.lights_.volumes(), 1e9));
@@ -53,13 +54,16 @@ class Lookups {
     for (int first = 0; first < count_; first += kChunk) dispatch(first, std::min(first + kChunk, count_));
     onceMs_ = clock.ms();
     std::vector<float> transmittance(std::size_t(count_), 0.0f);
-    glGetNamedBufferSubData(out_.id(), 0, GLsizeiptr(transmittance.size() * sizeof(float)), transmittance.data());
+    glGetNamedBufferSubData(out_.id(), 0, GLsizeiptr(transmittance.size() * sizeof(float)),
+                            transmittance.data());
     return transmittance;
   }
-  /// On a CPU its own time shared out over the cores, so that other programs' work does not count; on a GPU the time that passes.
+  /// On a CPU its own time shared out over the cores, so that other programs' work does not count; on a GPU
+  /// the time that passes.
   double nanoseconds(int dispatches, bool software) {
     if (count_ == 0) return 0;
-    if (onceMs_ > kDispatchMs * dispatches * 2) return 1e6 * onceMs_ / count_;  // long enough to be its own measurement
+    if (onceMs_ > kDispatchMs * dispatches * 2)
+      return 1e6 * onceMs_ / count_;  // long enough to be its own measurement
     const auto time = [&](int repeats) {
       const Stopwatch clock;
       const CpuStopwatch cpu;
@@ -69,7 +73,8 @@ class Lookups {
     int repeats = 1;
     double ms = time(repeats);
     while (ms < kDispatchMs && repeats < kMaxRepeats) {
-      repeats = std::min(kMaxRepeats, std::max(repeats * 2, int(1.2 * repeats * kDispatchMs / std::max(ms, 0.1))));
+      repeats =
+          std::min(kMaxRepeats, std::max(repeats * 2, int(1.2 * repeats * kDispatchMs / std::max(ms, 0.1))));
       ms = time(repeats);
     }
     std::vector<double> times;
@@ -80,7 +85,10 @@ class Lookups {
 
  private:
   Lookups(const shadow::ShadowMap& map, std::span<const vec4> positions)
-      : lights_({{map.light, std::shared_ptr<const shadow::ShadowMap>(&map, [](const shadow::ShadowMap*) {})}}, {}, {}), count_(int(positions.size())) {
+      : lights_(
+            {{map.light, std::shared_ptr<const shadow::ShadowMap>(&map, [](const shadow::ShadowMap*) {})}},
+            {}, {}),
+        count_(int(positions.size())) {
     in_.assign(positions);
     out_.reserve(std::max<std::size_t>(positions.size(), 1) * sizeof(float));
   }
@@ -94,7 +102,8 @@ class Lookups {
 
 }  // namespace
 
-Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions) {
+Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
+                                               std::span<const vec4> positions) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, positions));
   lookups.bind(gpu);
   return lookups.all();
@@ -117,7 +126,8 @@ ShadowError shadowError(std::span<const float> mapped, std::span<const double> t
   return e;
 }
 
-Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples, int dispatches) {
+Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples,
+                          int dispatches) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, samples.positions));
   lookups.bind(gpu);
   ProbeResult r;

@@ -1,5 +1,6 @@
 #pragma once
-// How wrong a finished shadow is, and what a lookup costs: lookupTransmittance on the GPU at points of known transmittance. GL thread.
+// How wrong a finished shadow is, and what a lookup costs: lookupTransmittance on the GPU at points of known
+// transmittance. GL thread.
 #include <span>
 
 #include "renderer/shadow/gpu.h"
@@ -15,7 +16,8 @@ struct ShadowError {
 };
 
 /// Transmittance from the light to each position (world; w unused). At once, however many they are.
-Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map, std::span<const vec4> positions);
+Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
+                                               std::span<const vec4> positions);
 
 ShadowError shadowError(std::span<const float> mapped, std::span<const double> transmittance);
 
@@ -23,9 +25,11 @@ struct ProbeResult {
   ShadowError error;
   double nsPerLookup = 0;  ///< 0: not timed
 };
-/// Both. Timed: median of `dispatches` dispatches that take 20 ms each or more, waited for. Each group of points is looked up over and
-/// over (llvmpipe takes the groups of a row in order), so that its texels are in the caches, as they are for most of a picture's lookups:
-/// with one light ray after another at random it is the machine's memory that would be timed.
-Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples, int dispatches = 5);
+/// Both. Timed: median of `dispatches` dispatches that take 20 ms each or more, waited for. Each group of
+/// points is looked up over and over (llvmpipe takes the groups of a row in order), so that its texels are in
+/// the caches, as they are for most of a picture's lookups: with one light ray after another at random it is
+/// the machine's memory that would be timed.
+Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples,
+                          int dispatches = 5);
 
 }  // namespace pileus::view

@@ -17,7 +17,8 @@ namespace {
 constexpr int kRound = 2048;      ///< points tried between two looks at the clock
 constexpr int kMisses = 1 << 18;  ///< rays in a row that may meet nothing
 
-/// A light ray and the parts [x, y] of it, in metres from `from`, that may hold a medium: disjoint and rising.
+/// A light ray and the parts [x, y] of it, in metres from `from`, that may hold a medium: disjoint and
+/// rising.
 struct Ray {
   dvec3 from{0}, direction{0};
   double length = 0;
@@ -28,7 +29,8 @@ struct Ray {
 /// Random light rays: a ray is drawn from three uniform numbers.
 class RaySource {
  public:
-  RaySource(const scene::Light& light, const volume::InstanceList& volumes) : light_(light), volumes_(volumes) {
+  RaySource(const scene::Light& light, const volume::InstanceList& volumes)
+      : light_(light), volumes_(volumes) {
     for (const volume::Instance& i : volumes_) localFromWorld_.push_back(glm::inverse(i.worldFromLocal));
     if (light.kind == scene::LightKind::Sun) {
       frustum_ = shadow::fitLight(light, volumes, 1024);
@@ -36,9 +38,12 @@ class RaySource {
     }
     // The narrower of two cones: about the ball around the media, and the spot's own.
     const Box3 bounds = volume::worldBounds(volumes);
-    const double radius = 0.5 * glm::length(bounds.size()), distance = glm::length(bounds.center() - light.position);
+    const double radius = 0.5 * glm::length(bounds.size()),
+                 distance = glm::length(bounds.center() - light.position);
     reach_ = radius + distance;
-    if (distance > radius) axis_ = (bounds.center() - light.position) / distance, cosine_ = std::sqrt(1 - radius * radius / (distance * distance));
+    if (distance > radius)
+      axis_ = (bounds.center() - light.position) / distance,
+      cosine_ = std::sqrt(1 - radius * radius / (distance * distance));
     if (light.kind != scene::LightKind::Spot) return;
     spotCosine_ = std::cos(glm::radians(light.cone / 2));
     if (spotCosine_ > cosine_) axis_ = -light.towards, cosine_ = spotCosine_;
@@ -55,10 +60,12 @@ class RaySource {
       ray.direction = (s.to - s.from) / ray.length;
     } else {
       const double z = 1 - a * (1 - cosine_), r = std::sqrt(std::max(0.0, 1 - z * z));
-      const dvec3 side = glm::normalize(glm::cross(axis_, std::abs(axis_.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
+      const dvec3 side =
+          glm::normalize(glm::cross(axis_, std::abs(axis_.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
       ray.from = light_.position;
       ray.length = reach_;
-      ray.direction = z * axis_ + r * (std::cos(2 * kPi * b) * side + std::sin(2 * kPi * b) * glm::cross(axis_, side));
+      ray.direction =
+          z * axis_ + r * (std::cos(2 * kPi * b) * side + std::sin(2 * kPi * b) * glm::cross(axis_, side));
       if (glm::dot(ray.direction, -light_.towards) < spotCosine_) return ray;
     }
     cover(ray);
@@ -69,17 +76,21 @@ class RaySource {
   void cover(Ray& ray) const {
     std::vector<dvec2> hits;
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
-      const dvec3 o(localFromWorld_[i] * dvec4(ray.from, 1.0)), d(localFromWorld_[i] * dvec4(ray.direction, 0.0));
+      const dvec3 o(localFromWorld_[i] * dvec4(ray.from, 1.0)),
+          d(localFromWorld_[i] * dvec4(ray.direction, 0.0));
       const Box3 box = volume::localBounds(volumes_[i]);
-      const auto hit = volumes_[i].shape == volume::Shape::Ball ? intersectBall(o, d) : intersectBox(o, d, box.min, box.max);
+      const auto hit = volumes_[i].shape == volume::Shape::Ball ? intersectBall(o, d)
+                                                                : intersectBox(o, d, box.min, box.max);
       if (!hit) continue;
       const dvec2 inside(std::max(hit->x, 0.0), std::min(hit->y, ray.length));
       if (inside.x < inside.y) hits.push_back(inside);
     }
     std::sort(hits.begin(), hits.end(), [](const dvec2& l, const dvec2& r) { return l.x < r.x; });
     for (const dvec2& h : hits) {
-      if (!ray.parts.empty() && h.x <= ray.parts.back().y) ray.parts.back().y = std::max(ray.parts.back().y, h.y);
-      else ray.parts.push_back(h);
+      if (!ray.parts.empty() && h.x <= ray.parts.back().y)
+        ray.parts.back().y = std::max(ray.parts.back().y, h.y);
+      else
+        ray.parts.push_back(h);
     }
     for (const dvec2& p : ray.parts) ray.covered += p.y - p.x;
   }
@@ -93,29 +104,34 @@ class RaySource {
 };
 
 /// The accepted ones of the points at `distances` (metres along the covered parts, rising).
-ShadowSamples judge(const Ray& ray, const std::vector<double>& distances, const volume::InstanceList& volumes) {
+ShadowSamples judge(const Ray& ray, const std::vector<double>& distances,
+                    const volume::InstanceList& volumes) {
   ShadowSamples out;
   std::vector<double> at;
   for (const double distance : distances) {
     double t = distance;
     std::size_t part = 0;
-    while (part + 1 < ray.parts.size() && t > ray.parts[part].y - ray.parts[part].x) t -= ray.parts[part].y - ray.parts[part].x, ++part;
+    while (part + 1 < ray.parts.size() && t > ray.parts[part].y - ray.parts[part].x)
+      t -= ray.parts[part].y - ray.parts[part].x, ++part;
     t += ray.parts[part].x;
     const vec3 p(ray.from + ray.direction * t);
-    if (std::none_of(volumes.begin(), volumes.end(), [&](const auto& v) { return volume::sigmaAt(v, dvec3(p)) > 0; })) continue;
+    if (std::none_of(volumes.begin(), volumes.end(),
+                     [&](const auto& v) { return volume::sigmaAt(v, dvec3(p)) > 0; }))
+      continue;
     out.positions.push_back(vec4(p, 0));
     at.push_back(std::min(t / ray.length, 1.0));
   }
   if (at.empty()) return out;
-  out.transmittance = shadow::cumulativeOpticalDepth(volumes, ray.from, ray.from + ray.direction * ray.length, at);
+  out.transmittance =
+      shadow::cumulativeOpticalDepth(volumes, ray.from, ray.from + ray.direction * ray.length, at);
   for (double& t : out.transmittance) t = std::exp(-t);
   return out;
 }
 
 }  // namespace
 
-Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::InstanceList& all, const SampleOptions& options,
-                                   JobControl& control) {
+Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::InstanceList& all,
+                                   const SampleOptions& options, JobControl& control) {
   const Stopwatch clock;
   const volume::InstanceList volumes = residency::canonical(all);
   const RaySource source(light, volumes);
@@ -146,11 +162,13 @@ Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::Inst
       distances[ray].push_back(std::min(at - before, rays[ray].covered));
     }
     std::vector<ShadowSamples> found(rays.size());
-    tbb::parallel_for(std::size_t(0), rays.size(), [&](std::size_t i) { found[i] = judge(rays[i], distances[i], volumes); });
+    tbb::parallel_for(std::size_t(0), rays.size(),
+                      [&](std::size_t i) { found[i] = judge(rays[i], distances[i], volumes); });
     const std::size_t had = samples.positions.size();
     for (const ShadowSamples& s : found) {
       samples.positions.insert(samples.positions.end(), s.positions.begin(), s.positions.end());
-      samples.transmittance.insert(samples.transmittance.end(), s.transmittance.begin(), s.transmittance.end());
+      samples.transmittance.insert(samples.transmittance.end(), s.transmittance.begin(),
+                                   s.transmittance.end());
     }
     control.progress(double(samples.positions.size()) / options.count);
     barren = samples.positions.size() > had ? 0 : barren + 1;

@@ -12,9 +12,10 @@ namespace {
 
 using shadow::ShadowSpec;
 
-constexpr double kBudgetBytes = 32;    ///< a texel of the improved map: K = 4 in 16 bits and 8 cosines, or in 8 bits and 12 cosines
+constexpr double kBudgetBytes =
+    32;  ///< a texel of the improved map: K = 4 in 16 bits and 8 cosines, or in 8 bits and 12 cosines
 constexpr int kMaxResolution = 8192;
-constexpr int kFits = 8;               ///< tries to meet the bytes of a map whose size depends on the scene
+constexpr int kFits = 8;  ///< tries to meet the bytes of a map whose size depends on the scene
 constexpr double kFitTolerance = 0.005;
 
 ShadowSpec extinction(shadow::Metric metric, int metricCount, shadow::Basis basis, int coefficients) {
@@ -46,7 +47,8 @@ std::vector<Contender> shootoutContenders() {
   using K = ShadowSpec::Kind;
   using shadow::Basis;
   using shadow::Metric;
-  ShadowSpec compact = extinction(Metric::Interval, 4, Basis::Cosine, 12), pieces = extinction(Metric::Interval, 4, Basis::Piecewise, 12);
+  ShadowSpec compact = extinction(Metric::Interval, 4, Basis::Cosine, 12),
+             pieces = extinction(Metric::Interval, 4, Basis::Piecewise, 12);
   compact.metric.compact = pieces.metric.compact = true;
   ShadowSpec dense = compact;
   dense.metric.weighting = shadow::Weighting::Root;
@@ -70,7 +72,8 @@ std::vector<Contender> shootoutContenders() {
 }
 
 const ShadowMeasure& ShootoutEntry::worst() const {
-  return *std::max_element(lights.begin(), lights.end(), [](const auto& a, const auto& b) { return a.error.mean < b.error.mean; });
+  return *std::max_element(lights.begin(), lights.end(),
+                           [](const auto& a, const auto& b) { return a.error.mean < b.error.mean; });
 }
 
 double ShootoutEntry::buildMs() const {
@@ -113,18 +116,24 @@ struct Shootout::Impl {
   /// Begins the measurement of the next light, or of a resolution for it.
   void startLight() {
     if (task().group != ShootoutGroup::EqualMemory) return startMeasure(options.resolution);
-    // What a texel took at the defaults. Of a deep map that is a guess: texels of another size see other media.
+    // What a texel took at the defaults. Of a deep map that is a guess: texels of another size see other
+    // media.
     const ShadowMeasure& before = entries[entries.size() - contenders].lights[entry.lights.size()];
-    const int resolution = int(std::lround(options.resolution * std::sqrt(kBudgetBytes / std::max(before.bytesPerTexel, 1.0))));
-    if (shadow::bytesPerTexel(task().contender.spec) > 0) startMeasure(resolution);
-    else startFit(resolution);
+    const int resolution =
+        int(std::lround(options.resolution * std::sqrt(kBudgetBytes / std::max(before.bytesPerTexel, 1.0))));
+    if (shadow::bytesPerTexel(task().contender.spec) > 0)
+      startMeasure(resolution);
+    else
+      startFit(resolution);
   }
   void startFit(int resolution) {
     fitResolution = std::clamp(resolution, 16, kMaxResolution);
-    fit = std::make_unique<shadow::ShadowPass>(shadow::withResolution(task().contender.spec, fitResolution), caster().source, caster().volumes, caster().solids);
+    fit = std::make_unique<shadow::ShadowPass>(shadow::withResolution(task().contender.spec, fitResolution),
+                                               caster().source, caster().volumes, caster().solids);
   }
   void startMeasure(int resolution) {
-    measuring = std::make_unique<MeasurePass>(shadow::withResolution(task().contender.spec, resolution), caster(), samples[std::size_t(caster().light)], 5);
+    measuring = std::make_unique<MeasurePass>(shadow::withResolution(task().contender.spec, resolution),
+                                              caster(), samples[std::size_t(caster().light)], 5);
   }
 
   /// The bytes of a deep map grow with the square of its resolution, nearly.
@@ -210,7 +219,8 @@ Result<double> Shootout::step(const shadow::Gpu& gpu, double ms) {
     PILEUS_CHECK(s.stepOnce(gpu, std::max(ms - clock.ms(), 1.0)));
   } while (s.entries.size() < s.tasks.size() && clock.ms() < ms);
   const double inEntry = double(s.entry.lights.size()) / double(s.casters.size() + 1);
-  return s.entries.size() == s.tasks.size() ? 1.0 : (double(s.entries.size()) + inEntry) / double(s.tasks.size());
+  return s.entries.size() == s.tasks.size() ? 1.0
+                                            : (double(s.entries.size()) + inEntry) / double(s.tasks.size());
 }
 
 const std::vector<ShootoutEntry>& Shootout::entries() const { return impl_->entries; }
@@ -228,16 +238,20 @@ std::string Shootout::doing() const {
   if (s.samples.empty()) return "Sampling light rays";
   if (s.entries.size() == s.tasks.size()) return "Done";
   const Task& t = s.task();
-  return t.contender.name + (t.group == ShootoutGroup::Truth ? "" : t.group == ShootoutGroup::Defaults ? " at its defaults" : " at equal memory");
+  return t.contender.name + (t.group == ShootoutGroup::Truth      ? ""
+                             : t.group == ShootoutGroup::Defaults ? " at its defaults"
+                                                                  : " at equal memory");
 }
 
 std::string shootoutCsv(const std::vector<ShootoutEntry>& entries) {
   std::string csv =
-      "group,representation,light,resolution,bytes_per_texel,bytes,build_ms,ns_per_lookup,mean_abs_dt,p95_abs_dt,max_abs_dt,mean_dt,picture_relmse\n";
+      "group,representation,light,resolution,bytes_per_texel,bytes,build_ms,ns_per_lookup,mean_abs_dt,p95_"
+      "abs_dt,max_abs_dt,mean_dt,picture_relmse\n";
   for (const ShootoutEntry& e : entries)
     for (const ShadowMeasure& m : e.lights)
-      csv += fmt::format("{},\"{}\",{},{},{:.2f},{},{:.3f},{:.2f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", enumId(e.group), e.name, m.light + 1,
-                         shadow::resolutionOf(m.spec), m.bytesPerTexel, m.bytes, m.buildMs, m.nsPerLookup, m.error.mean, m.error.p95, m.error.maximum,
+      csv += fmt::format("{},\"{}\",{},{},{:.2f},{},{:.3f},{:.2f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n",
+                         enumId(e.group), e.name, m.light + 1, shadow::resolutionOf(m.spec), m.bytesPerTexel,
+                         m.bytes, m.buildMs, m.nsPerLookup, m.error.mean, m.error.p95, m.error.maximum,
                          m.error.bias, e.relMse);
   return csv;
 }

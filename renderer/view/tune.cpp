@@ -23,13 +23,17 @@ constexpr double kSlowMs = 2000;  ///< a map of the curve may take this long to 
 constexpr double kSafe = 0.9, kHopeful = 1.2, kLastHope = 2.0;  ///< expected p95 over the bound
 constexpr double kDensePart = 0.01;  ///< of the points behind the horizon that make one worth trying
 
-bool hasMetric(const ShadowSpec& s) { return s.kind == Kind::Extinction && s.metric.metric != shadow::Metric::None; }
+bool hasMetric(const ShadowSpec& s) {
+  return s.kind == Kind::Extinction && s.metric.metric != shadow::Metric::None;
+}
 
 double costOf(const TuneCandidate& c, TuneBound bound) {
   return bound == TuneBound::Milliseconds ? c.ms() : double(c.bytes) / (1 << 20);
 }
 
-TunePoint pointOf(const TuneCandidate& c) { return {c.spec, c.p95, c.buildMs, c.nsPerLookup, double(c.bytes)}; }
+TunePoint pointOf(const TuneCandidate& c) {
+  return {c.spec, c.p95, c.buildMs, c.nsPerLookup, double(c.bytes)};
+}
 
 /// Of an interval metric.
 std::vector<shadow::MetricOptions> metricConfigurations(const shadow::MetricOptions& like, bool horizon) {
@@ -52,14 +56,16 @@ std::vector<shadow::MetricOptions> metricConfigurations(const shadow::MetricOpti
 
 std::vector<ShadowSpec> extinctionConfigurations(const ShadowSpec& like, bool horizon) {
   std::vector<ShadowSpec> out;
-  const auto metrics = hasMetric(like) ? metricConfigurations(like.metric, horizon) : std::vector{like.metric};
+  const auto metrics =
+      hasMetric(like) ? metricConfigurations(like.metric, horizon) : std::vector{like.metric};
   for (const shadow::Storage storage : {shadow::Storage::Half, shadow::Storage::Float})
     for (const shadow::MetricOptions& metric : metrics)
       for (const shadow::Basis basis : {shadow::Basis::Cosine, shadow::Basis::Slab, shadow::Basis::Piecewise})
         for (const int n : {4, 8, 12, 16, 24, 32}) {
           // Cosines of each interval need no weights, but intervals, and one coefficient for each.
           if (basis == shadow::Basis::Piecewise &&
-              (!hasMetric(like) || metric.intervals == 1 || n < metric.intervals || metric.weighting != shadow::Weighting::None))
+              (!hasMetric(like) || metric.intervals == 1 || n < metric.intervals ||
+               metric.weighting != shadow::Weighting::None))
             continue;
           ShadowSpec s = like;
           s.metric = metric;
@@ -84,13 +90,16 @@ std::vector<ShadowSpec> tuneConfigurations(const ShadowSpec& like, bool horizon)
   ShadowSpec s = like;
   s.damping = false;
   if (like.kind == Kind::Deep) {
-    for (const double bound : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) s.errorBound = bound, out.push_back(s);
+    for (const double bound : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001})
+      s.errorBound = bound, out.push_back(s);
   } else if (like.kind != Kind::RayMarch) {
     for (const int n : {3, 7, 11, 15, 23, 31})
       for (const bool other : {false, true}) {
         s.coefficients = n;
-        if (like.kind == Kind::FourierOpacity) s.range = other;
-        else s.basis = other ? shadow::Basis::Cosine : shadow::Basis::Fourier;
+        if (like.kind == Kind::FourierOpacity)
+          s.range = other;
+        else
+          s.basis = other ? shadow::Basis::Cosine : shadow::Basis::Fourier;
         out.push_back(s);
       }
   }
@@ -111,8 +120,8 @@ struct Tuner::Impl {
   std::vector<int> resolutions;
   TuneModel model;
   int coarse = 256, tries = 0, cheaperTries = 0, lastTries = 0;
-  double hoped = 0;        ///< p95 the model expects of the candidate
-  double skew = 1;         ///< what came of it, over what was expected
+  double hoped = 0;  ///< p95 the model expects of the candidate
+  double skew = 1;   ///< what came of it, over what was expected
   double failedBytes = 0;
   std::size_t planned = 0;
 
@@ -121,15 +130,18 @@ struct Tuner::Impl {
   std::unique_ptr<MeasurePass> measuring;
 
   bool tried(const ShadowSpec& spec) const {
-    return std::any_of(measured.begin(), measured.end(), [&](const TuneCandidate& c) { return c.spec == spec; });
+    return std::any_of(measured.begin(), measured.end(),
+                       [&](const TuneCandidate& c) { return c.spec == spec; });
   }
 
   /// The accurate end of the grid, and what the model compares the rest with: half, even weights, no horizon.
   bool accurate(const ShadowSpec& c) const {
     if (c.kind != Kind::Extinction) return c == configurations.back();
     const shadow::MetricOptions& m = c.metric;
-    const bool plain = !hasMetric(c) || (m.intervals == 8 && m.weighting == shadow::Weighting::None && m.horizon == 0 && !m.compact);
-    return plain && c.extinction.storage == shadow::Storage::Half && c.extinction.basis == shadow::Basis::Cosine && c.extinction.coefficients == 32;
+    const bool plain = !hasMetric(c) || (m.intervals == 8 && m.weighting == shadow::Weighting::None &&
+                                         m.horizon == 0 && !m.compact);
+    return plain && c.extinction.storage == shadow::Storage::Half &&
+           c.extinction.basis == shadow::Basis::Cosine && c.extinction.coefficients == 32;
   }
 
   /// Configurations the model needs measured; the others lie between them, or borrow (tune_model.h).
@@ -142,24 +154,29 @@ struct Tuner::Impl {
     }
     const int n = c.extinction.coefficients;
     if (n != 4 && n != 8 && n != 32) return false;
-    if (!hasMetric(c) || c.metric.intervals == 8 || c.extinction.basis == shadow::Basis::Piecewise) return true;
+    if (!hasMetric(c) || c.metric.intervals == 8 || c.extinction.basis == shadow::Basis::Piecewise)
+      return true;
     return n == 32 && c.extinction.basis == shadow::Basis::Cosine && c.metric.horizon == 0;
   }
 
   Result<void> plan(const shadow::Gpu& gpu) {
     bool dense = false;
     for (const ShadowSamples& s : samples)
-      dense |= double(std::count_if(s.transmittance.begin(), s.transmittance.end(), [](double t) { return t < std::exp(-shadow::kUsualHorizon); })) >
-               kDensePart * double(s.transmittance.size());
+      dense |= double(std::count_if(s.transmittance.begin(), s.transmittance.end(), [](double t) {
+                 return t < std::exp(-shadow::kUsualHorizon);
+               })) > kDensePart * double(s.transmittance.size());
     configurations = tuneConfigurations(like, dense);
     if (configurations.empty()) return fail(Code::Input, "a ray-marched shadow has no parameters to tune");
     for (int r = options.minResolution; r <= options.maxResolution; r *= 2) resolutions.push_back(r);
     const int affordable = (gpu.device.software ? 256 : 512) / (like.kind == Kind::Deep ? 2 : 1);
     coarse = std::clamp(affordable, options.minResolution, options.maxResolution);
-    const auto reference = std::find_if(configurations.begin(), configurations.end(), [&](const auto& c) { return accurate(c); });
+    const auto reference = std::find_if(configurations.begin(), configurations.end(),
+                                        [&](const auto& c) { return accurate(c); });
     for (const int r : {coarse / 2, coarse, coarse * 2})
       if (r <= options.maxResolution) queue.push_back(shadow::withResolution(*reference, r));
-    planned = queue.size() + std::size_t(std::count_if(configurations.begin(), configurations.end(), [&](const auto& c) { return anchors(c); })) +
+    planned = queue.size() +
+              std::size_t(std::count_if(configurations.begin(), configurations.end(),
+                                        [&](const auto& c) { return anchors(c); })) +
               kCheaperTries + kCurvePoints;
     return {};
   }
@@ -179,15 +196,17 @@ struct Tuner::Impl {
   std::optional<TuneCandidate> best() const {
     std::optional<TuneCandidate> out;
     const auto better = [&](const TuneCandidate& a, const TuneCandidate& b) {
-      return goal.bound == TuneBound::P95 ? std::pair(double(a.bytes), a.p95) < std::pair(double(b.bytes), b.p95)
-                                          : std::pair(a.p95, double(a.bytes)) < std::pair(b.p95, double(b.bytes));
+      return goal.bound == TuneBound::P95
+                 ? std::pair(double(a.bytes), a.p95) < std::pair(double(b.bytes), b.p95)
+                 : std::pair(a.p95, double(a.bytes)) < std::pair(b.p95, double(b.bytes));
     };
     for (const TuneCandidate& c : measured)
       if (meets(c, goal) && (!out || better(c, *out))) out = c;
     return out;
   }
 
-  /// The least that is expected to do; then, between what failed and what did, halving the list of what might do for less.
+  /// The least that is expected to do; then, between what failed and what did, halving the list of what might
+  /// do for less.
   std::optional<TunePoint> nextForP95() {
     const auto found = best();
     auto all = expected();
@@ -200,13 +219,20 @@ struct Tuner::Impl {
     };
     if (!found) {
       if (tries++ < kTries)
-        if (auto pick = least(kSafe, [](const TunePoint& p) { return std::pair(p.bytes, p.p95); })) return pick;
-      return lastTries++ < kLastTries ? least(kLastHope, [](const TunePoint& p) { return std::pair(p.p95, p.bytes); }) : std::nullopt;
+        if (auto pick = least(kSafe, [](const TunePoint& p) { return std::pair(p.bytes, p.p95); }))
+          return pick;
+      return lastTries++ < kLastTries
+                 ? least(kLastHope, [](const TunePoint& p) { return std::pair(p.p95, p.bytes); })
+                 : std::nullopt;
     }
-    std::sort(all.begin(), all.end(), [](const TunePoint& a, const TunePoint& b) { return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95); });
+    std::sort(all.begin(), all.end(), [](const TunePoint& a, const TunePoint& b) {
+      return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95);
+    });
     std::vector<TunePoint> front;
     for (const TunePoint& p : all)
-      if (p.bytes > failedBytes && p.bytes < double(found->bytes) && p.p95 <= kHopeful * goal.limit && (front.empty() || p.p95 < front.back().p95)) front.push_back(p);
+      if (p.bytes > failedBytes && p.bytes < double(found->bytes) && p.p95 <= kHopeful * goal.limit &&
+          (front.empty() || p.p95 < front.back().p95))
+        front.push_back(p);
     if (front.empty() || cheaperTries++ == kCheaperTries) return std::nullopt;
     return front[front.size() / 2];
   }
@@ -217,18 +243,23 @@ struct Tuner::Impl {
     const auto all = expected();
     const TunePoint* pick = nullptr;
     for (const TunePoint& p : all) {
-      const double cost = goal.bound == TuneBound::Milliseconds ? p.buildMs + p.nsPerLookup : p.bytes / (1 << 20);
-      if (cost <= goal.limit && (!pick || std::pair(p.p95, p.bytes) < std::pair(pick->p95, pick->bytes))) pick = &p;
+      const double cost =
+          goal.bound == TuneBound::Milliseconds ? p.buildMs + p.nsPerLookup : p.bytes / (1 << 20);
+      if (cost <= goal.limit && (!pick || std::pair(p.p95, p.bytes) < std::pair(pick->p95, pick->bytes)))
+        pick = &p;
     }
     if (!pick || (found && pick->p95 > kHopeful * found->p95)) return std::nullopt;
     return *pick;
   }
 
-  /// The expected front at every doubling of memory, up to 8 times what the goal takes, without what is slow to build.
+  /// The expected front at every doubling of memory, up to 8 times what the goal takes, without what is slow
+  /// to build.
   void queueCurve() {
     auto all = expected();
     for (const TuneCandidate& c : measured) all.push_back(pointOf(c));
-    std::sort(all.begin(), all.end(), [](const TunePoint& a, const TunePoint& b) { return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95); });
+    std::sort(all.begin(), all.end(), [](const TunePoint& a, const TunePoint& b) {
+      return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95);
+    });
     const auto found = best();
     const double largest = found ? 8.0 * double(found->bytes) : 64.0 * (1 << 20);
     double least = std::numeric_limits<double>::infinity(), before = 0;
@@ -236,7 +267,8 @@ struct Tuner::Impl {
       if (p.p95 >= 0.98 * least || p.bytes > largest) continue;
       least = p.p95;
       if (tried(p.spec)) before = p.bytes;
-      if (tried(p.spec) || p.bytes < 1.6 * before || p.buildMs > kSlowMs || queue.size() == kCurvePoints) continue;
+      if (tried(p.spec) || p.bytes < 1.6 * before || p.buildMs > kSlowMs || queue.size() == kCurvePoints)
+        continue;
       before = p.bytes;
       queue.push_back(p.spec);
     }
@@ -251,7 +283,8 @@ struct Tuner::Impl {
       model.fitResolution(points);
       for (const TunePoint& p : points) model.add(p);
       for (const ShadowSpec& c : configurations)
-        if (anchors(c) && !tried(shadow::withResolution(c, coarse))) queue.push_back(shadow::withResolution(c, coarse));
+        if (anchors(c) && !tried(shadow::withResolution(c, coarse)))
+          queue.push_back(shadow::withResolution(c, coarse));
       stage = Stage::Configurations;
     }
     if (stage == Stage::Configurations && queue.empty()) stage = Stage::Search;
@@ -271,7 +304,8 @@ struct Tuner::Impl {
   }
 
   Result<void> stepMeasure(const shadow::Gpu& gpu, double ms) {
-    if (!measuring) measuring = std::make_unique<MeasurePass>(candidate.spec, casters[light], samples[light], kDispatches);
+    if (!measuring)
+      measuring = std::make_unique<MeasurePass>(candidate.spec, casters[light], samples[light], kDispatches);
     PILEUS_TRY(const double done, measuring->step(gpu, ms));
     if (done < 1) return {};
     const ShadowMeasure& m = measuring->measure();
@@ -295,7 +329,9 @@ struct Tuner::Impl {
   bool busy = false;  ///< `candidate` is being measured
 };
 
-Tuner::Tuner(std::vector<Caster> casters, const ShadowSpec& like, const TuneGoal& goal, const TuneOptions& options) : impl_(std::make_unique<Impl>()) {
+Tuner::Tuner(std::vector<Caster> casters, const ShadowSpec& like, const TuneGoal& goal,
+             const TuneOptions& options)
+    : impl_(std::make_unique<Impl>()) {
   impl_->casters = std::move(casters);
   impl_->like = like;
   impl_->goal = goal;
@@ -330,7 +366,9 @@ const std::vector<TuneCandidate>& Tuner::measured() const { return impl_->measur
 
 std::vector<TuneCandidate> Tuner::curve() const {
   std::vector<TuneCandidate> all = impl_->measured, out;
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95); });
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.bytes, a.p95) < std::pair(b.bytes, b.p95);
+  });
   for (const TuneCandidate& c : all)
     if (out.empty() || c.p95 < out.back().p95) out.push_back(c);
   return out;
@@ -339,9 +377,12 @@ std::vector<TuneCandidate> Tuner::curve() const {
 std::optional<TuneCandidate> Tuner::best() const { return impl_->best(); }
 
 std::optional<TuneCandidate> Tuner::nearest() const {
-  const auto measure = [this](const TuneCandidate& c) { return impl_->goal.bound == TuneBound::P95 ? c.p95 : costOf(c, impl_->goal.bound); };
+  const auto measure = [this](const TuneCandidate& c) {
+    return impl_->goal.bound == TuneBound::P95 ? c.p95 : costOf(c, impl_->goal.bound);
+  };
   const auto& all = impl_->measured;
-  const auto least = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return measure(a) < measure(b); });
+  const auto least = std::min_element(all.begin(), all.end(),
+                                      [&](const auto& a, const auto& b) { return measure(a) < measure(b); });
   return least == all.end() ? std::nullopt : std::optional(*least);
 }
 

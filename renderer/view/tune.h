@@ -10,9 +10,13 @@ namespace pileus::view {
 enum class TuneBound { P95, Milliseconds, Mebibytes };
 constexpr auto enumInfo(TuneBound*) {
   using B = TuneBound;
-  return std::array{EnumItem<B>{B::P95, "p95", "95th percentile of |dT|", "The least memory whose error stays below the bound, on the worst light."},
-                    EnumItem<B>{B::Milliseconds, "ms", "Milliseconds", "The least error whose maps are built, and looked up a million times, within the bound; all lights together."},
-                    EnumItem<B>{B::Mebibytes, "mib", "MiB", "The least error whose maps fit into the bound; all lights together."}};
+  return std::array{EnumItem<B>{B::P95, "p95", "95th percentile of |dT|",
+                                "The least memory whose error stays below the bound, on the worst light."},
+                    EnumItem<B>{B::Milliseconds, "ms", "Milliseconds",
+                                "The least error whose maps are built, and looked up a million times, within "
+                                "the bound; all lights together."},
+                    EnumItem<B>{B::Mebibytes, "mib", "MiB",
+                                "The least error whose maps fit into the bound; all lights together."}};
 }
 
 struct TuneGoal {
@@ -28,26 +32,27 @@ struct TuneOptions {
 /// Measured on every light.
 struct TuneCandidate {
   shadow::ShadowSpec spec;
-  std::size_t bytes = 0;         ///< of all lights
-  double p95 = 0, mean = 0;      ///< |dT| of the worst light
-  double buildMs = 0;            ///< of all lights
-  double nsPerLookup = 0;        ///< sum over lights, with their texels in the caches
+  std::size_t bytes = 0;                               ///< of all lights
+  double p95 = 0, mean = 0;                            ///< |dT| of the worst light
+  double buildMs = 0;                                  ///< of all lights
+  double nsPerLookup = 0;                              ///< sum over lights, with their texels in the caches
   double ms() const { return buildMs + nsPerLookup; }  ///< build and a million lookups (1e6 ns = 1 ms)
 };
 
 bool meets(const TuneCandidate& candidate, const TuneGoal& goal);
 
-/// Every choice tried for a representation like `like`: its kind, and for extinction maps whether there is a pseudometric. Resolution
-/// is not among them.
+/// Every choice tried for a representation like `like`: its kind, and for extinction maps whether there is a
+/// pseudometric. Resolution is not among them.
 std::vector<shadow::ShadowSpec> tuneConfigurations(const shadow::ShadowSpec& like, bool horizon);
 
 class Tuner {
  public:
   /// Tunes one set of parameters for all of `casters`.
-  Tuner(std::vector<Caster> casters, const shadow::ShadowSpec& like, const TuneGoal& goal, const TuneOptions& options = {});
+  Tuner(std::vector<Caster> casters, const shadow::ShadowSpec& like, const TuneGoal& goal,
+        const TuneOptions& options = {});
   ~Tuner();
-  /// Works for about `ms` milliseconds (see MeasurePass); a rough fraction done, 1 = finished. Error (Input) where there is nothing to
-  /// tune: no light, no medium, a ray march. To stop: destroy it.
+  /// Works for about `ms` milliseconds (see MeasurePass); a rough fraction done, 1 = finished. Error (Input)
+  /// where there is nothing to tune: no light, no medium, a ray march. To stop: destroy it.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// In the order they were tried.
   const std::vector<TuneCandidate>& measured() const;

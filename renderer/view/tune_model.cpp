@@ -30,10 +30,18 @@ void TuneModel::add(const TunePoint& point) {
   const double texels = double(r) * r;
   // Where texels make nearly all of the error, the rest is not resolved: a tenth of it is left.
   const double a2 = std::max(point.p95 * point.p95 - b2_ / texels, 0.01 * point.p95 * point.p95);
-  Known k{shadow::withResolution(point.spec, 0), a2, point.buildMs / texels, point.bytes / texels, point.nsPerLookup, r};
-  const auto same = std::find_if(known_.begin(), known_.end(), [&](const Known& o) { return o.spec == k.spec; });
-  if (same == known_.end()) known_.push_back(k);
-  else if (r >= same->resolution) *same = k;
+  Known k{shadow::withResolution(point.spec, 0),
+          a2,
+          point.buildMs / texels,
+          point.bytes / texels,
+          point.nsPerLookup,
+          r};
+  const auto same =
+      std::find_if(known_.begin(), known_.end(), [&](const Known& o) { return o.spec == k.spec; });
+  if (same == known_.end())
+    known_.push_back(k);
+  else if (r >= same->resolution)
+    *same = k;
 }
 
 std::optional<TuneModel::Known> TuneModel::find(const ShadowSpec& spec) const {
@@ -48,8 +56,10 @@ std::optional<TuneModel::Known> TuneModel::known(const ShadowSpec& spec) const {
   const bool compact = spec.metric.compact;
   if (isExtinction(spec) && (compact || spec.extinction.storage == shadow::Storage::Float)) {
     const auto simpler = [compact](ShadowSpec s) {
-      if (compact) s.metric.compact = false;
-      else s.extinction.storage = s.metric.storage = shadow::Storage::Half;
+      if (compact)
+        s.metric.compact = false;
+      else
+        s.extinction.storage = s.metric.storage = shadow::Storage::Half;
       return s;
     };
     auto k = known(simpler(spec));
@@ -57,13 +67,16 @@ std::optional<TuneModel::Known> TuneModel::known(const ShadowSpec& spec) const {
     double change = 0;
     for (const Known& o : known_) {
       if (!isExtinction(o.spec) || simpler(o.spec) == o.spec) continue;
-      if (const auto twin = find(simpler(o.spec)); twin && std::abs(o.a2 - twin->a2) > std::abs(change)) change = o.a2 - twin->a2;
+      if (const auto twin = find(simpler(o.spec)); twin && std::abs(o.a2 - twin->a2) > std::abs(change))
+        change = o.a2 - twin->a2;
     }
     k->a2 = std::max(k->a2 + change, 0.01 * k->a2);
     return k;
   }
-  // Fewer intervals: what that costs the most accurate series of the same weights. Cosines of each interval have none in common.
-  if (isExtinction(spec) && spec.metric.metric == shadow::Metric::Interval && spec.metric.intervals != 8 && spec.extinction.basis != shadow::Basis::Piecewise) {
+  // Fewer intervals: what that costs the most accurate series of the same weights. Cosines of each interval
+  // have none in common.
+  if (isExtinction(spec) && spec.metric.metric == shadow::Metric::Interval && spec.metric.intervals != 8 &&
+      spec.extinction.basis != shadow::Basis::Piecewise) {
     ShadowSpec eight = spec, probe = spec;
     eight.metric.intervals = 8;
     probe.metric.horizon = 0;
@@ -91,7 +104,9 @@ std::optional<TuneModel::Known> TuneModel::known(const ShadowSpec& spec) const {
   if (!below || !above) return std::nullopt;
   ShadowSpec copy = spec;
   const double t = std::log(double(coefficients(copy)) / lower) / std::log(double(upper) / lower);
-  const auto blend = [t](double a, double b) { return std::exp((1 - t) * std::log(std::max(a, 1e-16)) + t * std::log(std::max(b, 1e-16))); };
+  const auto blend = [t](double a, double b) {
+    return std::exp((1 - t) * std::log(std::max(a, 1e-16)) + t * std::log(std::max(b, 1e-16)));
+  };
   Known k = *below;
   k.a2 = blend(below->a2, above->a2);
   k.buildMs = blend(below->buildMs, above->buildMs);
@@ -105,7 +120,9 @@ std::optional<TunePoint> TuneModel::expect(const ShadowSpec& spec) const {
   const double r = shadow::resolutionOf(spec), texels = r * r;
   TunePoint p{spec, std::sqrt(k->a2 + b2_ / texels), k->buildMs * texels, k->nsPerLookup, 0};
   // By layout where that decides; a deep map by what it took.
-  const double faces = k->bytes > 0 && shadow::bytesPerTexel(k->spec) > 0 ? k->bytes / double(shadow::bytesPerTexel(k->spec)) : 1;
+  const double faces = k->bytes > 0 && shadow::bytesPerTexel(k->spec) > 0
+                           ? k->bytes / double(shadow::bytesPerTexel(k->spec))
+                           : 1;
   const double layout = double(shadow::bytesPerTexel(spec));
   p.bytes = texels * (layout > 0 ? layout * faces : k->bytes);
   return p;

@@ -1,9 +1,10 @@
 #pragma once
 // What the tuner expects of parameters it has not tried yet. Plain values.
 //
-// Errors of independent causes add in squares: p95(c, r)^2 = A(c)^2 + (B / r)^2, with A from the coefficients and intervals and B / r
-// from texels that stand for their surroundings. B is fitted to one accurate configuration at several resolutions, A to every
-// configuration at one; a configuration never tried borrows from its neighbours.
+// Errors of independent causes add in squares: p95(c, r)^2 = A(c)^2 + (B / r)^2, with A from the coefficients
+// and intervals and B / r from texels that stand for their surroundings. B is fitted to one accurate
+// configuration at several resolutions, A to every configuration at one; a configuration never tried borrows
+// from its neighbours.
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,7 @@ class TuneModel {
     double a2 = 0;
     double buildMs = 0, bytes = 0;  ///< of one texel
     double nsPerLookup = 0;
-    int resolution = 0;       ///< where it was measured: the finest counts
+    int resolution = 0;  ///< where it was measured: the finest counts
   };
   std::optional<Known> known(const shadow::ShadowSpec& spec) const;
   std::optional<Known> find(const shadow::ShadowSpec& spec) const;

@@ -21,7 +21,8 @@ std::vector<Range> crossed(const volume::InstanceList& volumes, const dvec3& eye
     if (bounds.empty() || std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) < 1e-30) continue;
     const dmat4 local = glm::inverse(i.worldFromLocal);
     const dvec3 lo(local * dvec4(eye, 1)), ld(local * dvec4(d, 0));
-    const auto hit = i.shape == volume::Shape::Ball ? intersectBall(lo, ld) : intersectBox(lo, ld, bounds.min, bounds.max);
+    const auto hit =
+        i.shape == volume::Shape::Ball ? intersectBall(lo, ld) : intersectBox(lo, ld, bounds.min, bounds.max);
     if (hit && hit->y > 0) out.push_back({dvec2(std::max(hit->x, 0.0), hit->y), &i});
   }
   return out;

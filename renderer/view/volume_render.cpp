@@ -23,8 +23,10 @@ std::vector<shadow::ShadowedLight> lightsOf(const RenderScene& scene) {
 
 VolumeRenderPass::VolumeRenderPass(RenderScene scene)
     : scene_(std::make_shared<const RenderScene>(std::move(scene))),
-      // A light's layer leaves the emission out, but steps as the beauty does, so that the layers add up to it.
-      lights_(lightsOf(*scene_), scene_->volumes, scene_->solids, scene_->options.layer.kind != PictureLayer::Kind::Depth) {
+      // A light's layer leaves the emission out, but steps as the beauty does, so that the layers add up to
+      // it.
+      lights_(lightsOf(*scene_), scene_->volumes, scene_->solids,
+              scene_->options.layer.kind != PictureLayer::Kind::Depth) {
   const PictureLayer::Kind kind = scene_->options.layer.kind;
   emission_ = (kind == PictureLayer::Kind::Beauty || kind == PictureLayer::Kind::Emission) && emits(*scene_);
 }
@@ -36,8 +38,10 @@ void VolumeRenderPass::start(const shadow::Gpu& gpu) {
   picture_->scene = scene_;
   picture_->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture");
   picture_->layer = o.layer;
-  if (seed_ && seed_->layer == o.layer) stretch(*seed_, *picture_);
-  else picture_->color.clear();
+  if (seed_ && seed_->layer == o.layer)
+    stretch(*seed_, *picture_);
+  else
+    picture_->color.clear();
   seed_.reset();
   const auto drawn = std::span(lights_.volumes()).first(lights_.drawnVolumes());
   const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, o);
@@ -73,7 +77,8 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   constexpr int kInRegisters = 4;
   constexpr std::size_t kUnrolledLights = 3;
   const RenderOptions& o = scene_->options;
-  const int lights = int(lights_.lights().size()), unrolled = lights_.lights().size() <= kUnrolledLights ? std::max(lights, 1) : 0;
+  const int lights = int(lights_.lights().size()),
+            unrolled = lights_.lights().size() <= kUnrolledLights ? std::max(lights, 1) : 0;
   gl::Defines defines = lights_.defines();
   defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
                                  {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)},
@@ -100,7 +105,8 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   timer_.begin();
   glDispatchCompute(GLuint(groups.x), GLuint(groups.y), 1);
   timer_.end();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                  GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   glFinish();
   ++dispatches_;
   return !budget_.resumes() || budget_.unfinished() == 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Single scattering and emission through any number of overlapping volumes, and opaque solids, under any number of shadowed lights; progressive over
-// regions and samples.
+// Single scattering and emission through any number of overlapping volumes, and opaque solids, under any
+// number of shadowed lights; progressive over regions and samples.
 #include "renderer/gl/gpu_timer.h"
 #include "renderer/gl/region_cursor.h"
 #include "renderer/residency/tile_lists.h"
@@ -16,17 +16,20 @@ namespace pileus::view {
 class VolumeRenderPass {
  public:
   explicit VolumeRenderPass(RenderScene scene);
-  VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes, std::vector<shadow::ShadowedLight> lights)
+  VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes,
+                   std::vector<shadow::ShadowedLight> lights)
       : VolumeRenderPass(RenderScene{options, volumes, std::move(lights), {}}) {}
-  /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or MarchBudget::kNever);
-  /// before the first step.
+  /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
+  /// MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
   int dispatches() const { return dispatches_; }
   /// What the texels of regions still to come hold, stretched to the picture; before the first step.
   void beginWith(std::shared_ptr<const Picture> seed) { seed_ = std::move(seed); }
-  /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several); the fraction done, 1 = finished.
+  /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several);
+  /// the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
-  /// Null until the first region is drawn; the same object from then on, its texels improving until step() said 1.
+  /// Null until the first region is drawn; the same object from then on, its texels improving until step()
+  /// said 1.
   std::shared_ptr<const Picture> picture() const { return picture_; }
   /// To the finished picture.
   void addLayer(Picture::Named layer) { picture_->layers.push_back(std::move(layer)); }

@@ -10,9 +10,12 @@ bool inside(const Box3& box, const dvec3& p) {
 /// At a local position, before any table.
 double rawDensity(const Instance& i, const dvec3& p) {
   switch (i.shape) {
-    case Shape::Grid: return i.grid ? sampleTrilinear(*i.grid, p) : 0.0;
-    case Shape::Box: return glm::all(glm::lessThanEqual(glm::abs(p), dvec3(0.5))) ? i.density : 0.0;
-    case Shape::Ball: return glm::dot(p, p) <= 1.0 ? i.density : 0.0;
+    case Shape::Grid:
+      return i.grid ? sampleTrilinear(*i.grid, p) : 0.0;
+    case Shape::Box:
+      return glm::all(glm::lessThanEqual(glm::abs(p), dvec3(0.5))) ? i.density : 0.0;
+    case Shape::Ball:
+      return glm::dot(p, p) <= 1.0 ? i.density : 0.0;
   }
   return 0;
 }
@@ -21,9 +24,12 @@ double rawDensity(const Instance& i, const dvec3& p) {
 
 Box3 localBounds(const Instance& i) {
   switch (i.shape) {
-    case Shape::Grid: return i.grid && !i.grid->empty() ? i.grid->indexBounds : Box3{};
-    case Shape::Box: return {dvec3(-0.5), dvec3(0.5)};
-    case Shape::Ball: return {dvec3(-1.0), dvec3(1.0)};
+    case Shape::Grid:
+      return i.grid && !i.grid->empty() ? i.grid->indexBounds : Box3{};
+    case Shape::Box:
+      return {dvec3(-0.5), dvec3(0.5)};
+    case Shape::Ball:
+      return {dvec3(-1.0), dvec3(1.0)};
   }
   return {};
 }
@@ -38,7 +44,8 @@ Box3 worldBounds(const InstanceList& instances) {
 
 double detailSize(const Instance& i) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) smallest = std::min(smallest, glm::length(dvec3(i.worldFromLocal[axis])));
+  for (int axis = 0; axis < 3; ++axis)
+    smallest = std::min(smallest, glm::length(dvec3(i.worldFromLocal[axis])));
   if (i.shape == Shape::Grid) return smallest;
   return smallest * (i.shape == Shape::Ball ? 2.0 : 1.0) / 64.0;
 }
@@ -61,7 +68,9 @@ bool occupied(const Instance& i, const Brick& brick) {
   return double(brick.maximum) > (table ? table->emptyUpTo : 0.0);
 }
 
-double majorant(const Instance& i) { return i.emission ? 0.0 : std::max(0.0, largestDensity(i) * i.medium.extinction); }
+double majorant(const Instance& i) {
+  return i.emission ? 0.0 : std::max(0.0, largestDensity(i) * i.medium.extinction);
+}
 
 Key contentKey(const InstanceList& instances) {
   Hasher h;

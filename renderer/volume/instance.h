@@ -1,5 +1,6 @@
 #pragma once
-// A placed volume: a brick grid or an exact analytic shape, with its medium. Plain values, shared by every pass.
+// A placed volume: a brick grid or an exact analytic shape, with its medium. Plain values, shared by every
+// pass.
 #include <vector>
 
 #include "renderer/scene/medium.h"
@@ -16,13 +17,13 @@ enum class Shape {
 
 struct Instance {
   Shape shape = Shape::Box;
-  GridPtr grid;                ///< Shape::Grid only
-  RemapPtr remap;              ///< Shape::Grid only: what its densities become; null: they stay
-  /// What it emits for each of its densities, as makeEmission() has it; null: nothing. One that emits has no extinction, whatever its
-  /// medium says: it scatters no light and casts no shadow.
+  GridPtr grid;    ///< Shape::Grid only
+  RemapPtr remap;  ///< Shape::Grid only: what its densities become; null: they stay
+  /// What it emits for each of its densities, as makeEmission() has it; null: nothing. One that emits has no
+  /// extinction, whatever its medium says: it scatters no light and casts no shadow.
   RemapPtr emission;
-  double density = 1;          ///< Box and Ball: the uniform density
-  dmat4 worldFromLocal{1.0};   ///< affine; may mirror
+  double density = 1;         ///< Box and Ball: the uniform density
+  dmat4 worldFromLocal{1.0};  ///< affine; may mirror
   scene::Medium medium;
 };
 
@@ -45,7 +46,8 @@ bool occupied(const Instance& instance, const Brick& brick);
 double majorant(const Instance& instance);
 /// Content key of everything that decides how it looks.
 Key contentKey(const InstanceList& instances);
-/// sigma_t [1/m] at a world position, level 0, in double precision: the CPU twin of sigmaAt in lib/volume.glsl.
+/// sigma_t [1/m] at a world position, level 0, in double precision: the CPU twin of sigmaAt in
+/// lib/volume.glsl.
 double sigmaAt(const Instance& instance, const dvec3& world);
 /// Radiance gained per metre there [W/(m^3 sr)], in the same way.
 dvec3 emissionAt(const Instance& instance, const dvec3& world);

@@ -15,7 +15,8 @@ inline constexpr int kRemapEntries = 256;
 struct DensityRemap {
   double lowest = 0, highest = 1;  ///< densities of the first and the last entry, which also hold beyond
   std::vector<vec4> entries;       ///< kRemapEntries; rgb: factor of the albedo, a: density, not negative
-  /// Every density up to this becomes 0; minus infinity: not even 0 does. Asked for each brick, so it is kept.
+  /// Every density up to this becomes 0; minus infinity: not even 0 does. Asked for each brick, so it is
+  /// kept.
   double emptyUpTo = 0;
   Key content;  ///< of the above
 

@@ -1,4 +1,5 @@
-// `pileus render`: pictures, overrides, sequences, and every kind of bad input with its exit code and message.
+// `pileus render`: pictures, overrides, sequences, and every kind of bad input with its exit code and
+// message.
 #include <cmath>
 #include <fstream>
 
@@ -14,17 +15,21 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A lit box; `extra` nodes and `params` can be put in.
-std::string graph(const std::string& settings = R"("size": [64, 36])", const std::string& box = "", const std::string& moreNodes = "", const std::string& moreLinks = "") {
+std::string graph(const std::string& settings = R"("size": [64, 36])", const std::string& box = "",
+                  const std::string& moreNodes = "", const std::string& moreLinks = "") {
   return R"({ "pileus": 1, "settings": { )" + settings + R"( },
   "nodes": {
-    "Box": { "type": "volume.box", "at": [0, 0], "params": { )" + box + R"( } },
+    "Box": { "type": "volume.box", "at": [0, 0], "params": { )" +
+         box + R"( } },
     "Sun": { "type": "light.sun", "at": [0, 0], "params": {} },
     "Metric": { "type": "shadow.pseudometric", "at": [0, 0], "params": { "resolution": 64 } },
     "Extinction": { "type": "shadow.extinction", "at": [0, 0], "params": {} },
-    "Render": { "type": "render.volume", "at": [0, 0], "params": { "samples": 1 } })" + moreNodes + R"(,
+    "Render": { "type": "render.volume", "at": [0, 0], "params": { "samples": 1 } })" +
+         moreNodes + R"(,
     "View": { "type": "output.view", "at": [0, 0], "params": {} } },
   "links": [ "Box.volume -> Metric.volumes", "Sun.light -> Metric.light", "Metric.metric -> Extinction.metric", "Box.volume -> Render.volumes",
-             "Extinction.light -> Render.lights", "Render.image -> View.image")" + moreLinks + R"( ] })";
+             "Extinction.light -> Render.lights", "Render.image -> View.image")" +
+         moreLinks + R"( ] })";
 }
 
 fs::path write(const fs::path& folder, const std::string& name, const std::string& text) {
@@ -34,11 +39,13 @@ fs::path write(const fs::path& folder, const std::string& name, const std::strin
 
 void expectFails(const test::RunResult& r, int code, const std::vector<std::string>& words) {
   EXPECT_EQ(r.exitCode, code) << r.out << r.err;
-  for (const std::string& w : words) EXPECT_NE(r.err.find(w), std::string::npos) << "'" << w << "' is not in: " << r.err;
+  for (const std::string& w : words)
+    EXPECT_NE(r.err.find(w), std::string::npos) << "'" << w << "' is not in: " << r.err;
 }
 
 TEST(Render, WritesALitPictureAndRefusesToOverwrite) {
-  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph()), out = folder / "a.exr";
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph()),
+                 out = folder / "a.exr";
   const auto r = test::pileus({"render", file, "-o", out, "--png", "--stats", folder / "s.json"});
   ASSERT_EQ(r.exitCode, 0) << r.err;
   const auto picture = image::readExr(out);
@@ -66,10 +73,14 @@ TEST(Render, SetOverridesParameters) {
   ASSERT_EQ(test::pileus({"render", file, "-o", folder / "b.exr", "--set", "Sun.irradiance=20"}).exitCode, 0);
   const auto a = image::readExr(folder / "a.exr"), b = image::readExr(folder / "b.exr");
   const std::size_t centre = (18 * 64 + 32) * 4;
-  EXPECT_NEAR(b->layers[0].pixels[centre], 2 * a->layers[0].pixels[centre], 2e-3f * b->layers[0].pixels[centre]);
-  expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "Moon.irradiance=20"}), 2, {"Moon"});
-  expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "Sun.brightness=20"}), 2, {"Sun", "brightness"});
-  expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "Metric.resolution=1000000"}), 2, {"Metric.resolution", "4096"});
+  EXPECT_NEAR(b->layers[0].pixels[centre], 2 * a->layers[0].pixels[centre],
+              2e-3f * b->layers[0].pixels[centre]);
+  expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "Moon.irradiance=20"}), 2,
+              {"Moon"});
+  expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "Sun.brightness=20"}), 2,
+              {"Sun", "brightness"});
+  expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "Metric.resolution=1000000"}), 2,
+              {"Metric.resolution", "4096"});
   expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "nonsense"}), 2, {"nonsense"});
 }
 
@@ -77,7 +88,8 @@ TEST(Render, Sequences) {
   const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph());
   expectFails(test::pileus({"render", file, "-o", folder / "a.exr", "--frames", "1-3"}), 2, {"token"});
   ASSERT_EQ(test::pileus({"render", file, "-o", folder / "a.####.exr", "--frames", "1-5x2"}).exitCode, 0);
-  EXPECT_TRUE(fs::exists(folder / "a.0001.exr") && fs::exists(folder / "a.0003.exr") && fs::exists(folder / "a.0005.exr"));
+  EXPECT_TRUE(fs::exists(folder / "a.0001.exr") && fs::exists(folder / "a.0003.exr") &&
+              fs::exists(folder / "a.0005.exr"));
   // A whole frame is skipped, a broken one is rendered again.
   write(folder, "a.0003.exr", "cut off");
   const auto again = test::pileus({"render", file, "-o", folder / "a.####.exr", "--frames", "1-5x2"});
@@ -102,37 +114,53 @@ TEST(Render, BadArguments) {
 }
 
 TEST(Render, SeveralOutputsNeedAName) {
-  const std::string second = R"(, "Second": { "type": "output.view", "at": [0, 0], "params": {} })", link = R"(, "Render.image -> Second.image")";
-  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph(R"("size": [32, 18])", "", second, link));
+  const std::string second = R"(, "Second": { "type": "output.view", "at": [0, 0], "params": {} })",
+                    link = R"(, "Render.image -> Second.image")";
+  const fs::path folder = test::scratchFolder(),
+                 file = write(folder, "a.json", graph(R"("size": [32, 18])", "", second, link));
   expectFails(test::pileus({"render", file, "-o", folder / "a.exr"}), 2, {"--output", "Second"});
   EXPECT_EQ(test::pileus({"render", file, "-o", folder / "a.exr", "--output", "Second"}).exitCode, 0);
-  const std::string exr = R"(, "Still": { "type": "output.exr", "at": [0, 0], "params": { "type": "float" } })";
-  const fs::path still = write(folder, "b.json", graph(R"("size": [32, 18])", "", exr, R"(, "Render.image -> Still.image")"));
-  EXPECT_EQ(test::pileus({"render", still, "-o", folder / "b.exr"}).exitCode, 0) << "an EXR output goes before a view";
+  const std::string exr =
+      R"(, "Still": { "type": "output.exr", "at": [0, 0], "params": { "type": "float" } })";
+  const fs::path still =
+      write(folder, "b.json", graph(R"("size": [32, 18])", "", exr, R"(, "Render.image -> Still.image")"));
+  EXPECT_EQ(test::pileus({"render", still, "-o", folder / "b.exr"}).exitCode, 0)
+      << "an EXR output goes before a view";
 }
 
 TEST(Render, BadFiles) {
   const fs::path folder = test::scratchFolder(), out = folder / "out.exr";
-  const auto render = [&](const std::string& text) { return test::pileus({"render", write(folder, "bad.json", text), "-o", out}); };
+  const auto render = [&](const std::string& text) {
+    return test::pileus({"render", write(folder, "bad.json", text), "-o", out});
+  };
   expectFails(test::pileus({"render", folder / "missing.json", "-o", out}), 3, {"missing.json"});
   expectFails(render("{ \"pileus\": 1, \"nodes\": "), 3, {"bad.json", "line"});
   expectFails(render("[1, 2]"), 3, {"bad.json"});
   expectFails(render(R"({ "pileus": 99, "nodes": {} })"), 3, {"99"});
   expectFails(render(graph(R"("size": [0, 0])")), 3, {"size"});
   expectFails(render(graph(R"("size": [64, 36])", R"("density": "thick")")), 3, {"Box.density"});
-  expectFails(render(graph(R"("size": [64, 36])", "", R"(, "T": { "type": "volume.transform", "at": [0,0], "params": {} }, "U": { "type": "volume.transform", "at": [0,0], "params": {} })",
-                           R"(, "T.volume -> U.volume", "U.volume -> T.volume", "U.volume -> Render.volumes")")), 3, {"cycle", "T", "U"});
-  expectFails(render(graph(R"("size": [64, 36])", "", R"(, "Odd": { "type": "volume.plasma", "at": [0,0], "params": {} })", R"(, "Odd.volume -> Render.volumes")")), 3, {"Odd", "volume.plasma"});
+  expectFails(
+      render(graph(
+          R"("size": [64, 36])", "",
+          R"(, "T": { "type": "volume.transform", "at": [0,0], "params": {} }, "U": { "type": "volume.transform", "at": [0,0], "params": {} })",
+          R"(, "T.volume -> U.volume", "U.volume -> T.volume", "U.volume -> Render.volumes")")),
+      3, {"cycle", "T", "U"});
+  expectFails(render(graph(R"("size": [64, 36])", "",
+                           R"(, "Odd": { "type": "volume.plasma", "at": [0,0], "params": {} })",
+                           R"(, "Odd.volume -> Render.volumes")")),
+              3, {"Odd", "volume.plasma"});
   EXPECT_FALSE(fs::exists(out)) << "nothing may be written on error";
   // An unknown type nobody needs is only a warning.
-  const auto unused = render(graph(R"("size": [64, 36])", "", R"(, "Odd": { "type": "volume.plasma", "at": [0,0], "params": {} })"));
+  const auto unused = render(
+      graph(R"("size": [64, 36])", "", R"(, "Odd": { "type": "volume.plasma", "at": [0,0], "params": {} })"));
   EXPECT_EQ(unused.exitCode, 0) << unused.err;
   EXPECT_NE(unused.err.find("Odd"), std::string::npos);
 }
 
 std::string vdbGraph(const std::string& file) {
   return R"({ "pileus": 1, "settings": { "size": [32, 18] }, "nodes": {
-    "Smoke": { "type": "volume.vdb_file", "at": [0, 0], "params": { "file": ")" + file + R"(" } },
+    "Smoke": { "type": "volume.vdb_file", "at": [0, 0], "params": { "file": ")" +
+         file + R"(" } },
     "Sun": { "type": "light.sun", "at": [0, 0], "params": {} },
     "Extinction": { "type": "shadow.extinction", "at": [0, 0], "params": { "resolution": 64 } },
     "Render": { "type": "render.volume", "at": [0, 0], "params": { "samples": 1 } },
@@ -146,7 +174,8 @@ TEST(Render, BadVolumes) {
   int n = 0;
   const auto render = [&](const std::string& volume) {
     const std::string name = std::to_string(n++);
-    return test::pileus({"render", write(folder, name + ".json", vdbGraph(volume)), "-o", folder / (name + ".exr")});
+    return test::pileus(
+        {"render", write(folder, name + ".json", vdbGraph(volume)), "-o", folder / (name + ".exr")});
   };
   expectFails(render("nowhere.vdb"), 3, {"nowhere.vdb", "Smoke"});
   expectFails(render("words.vdb"), 3, {"words.vdb", "Smoke"});
@@ -159,11 +188,14 @@ TEST(Render, DamagedVolumesOfTheDataFolder) {
   std::string whole = *readFile(*test::dataFolder() / "vdb" / "smoke1.vdb");
   write(folder, "cut.vdb", whole.substr(0, whole.size() / 2));
   std::vector<fs::path> files{folder / "cut.vdb"};
-  for (const auto& entry : fs::directory_iterator(*test::dataFolder() / "vdb_bad")) files.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(*test::dataFolder() / "vdb_bad"))
+    files.push_back(entry.path());
   for (const fs::path& file : files) {
     const std::string name = file.filename().string();
     const bool empty = name.find("empty") != name.npos || name.find("inverted") != name.npos;
-    const auto r = test::pileus({"render", write(folder, name + ".json", vdbGraph(file.string())), "-o", folder / (name + ".exr")}, 60);
+    const auto r = test::pileus(
+        {"render", write(folder, name + ".json", vdbGraph(file.string())), "-o", folder / (name + ".exr")},
+        60);
     EXPECT_EQ(r.exitCode, empty ? 0 : 3) << name << ": " << r.err;
     EXPECT_NE(r.err.find(empty ? "warning" : name), std::string::npos) << name << ": " << r.err;
     if (!empty) continue;
@@ -175,17 +207,22 @@ TEST(Render, DamagedVolumesOfTheDataFolder) {
 
 TEST(Render, GpuMemoryBudget) {
   PILEUS_NEEDS_DATA();
-  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", vdbGraph((*test::dataFolder() / "vdb" / "smoke1.vdb").string()));
+  const fs::path folder = test::scratchFolder(),
+                 file =
+                     write(folder, "a.json", vdbGraph((*test::dataFolder() / "vdb" / "smoke1.vdb").string()));
   const auto coarse = test::pileus({"render", file, "-o", folder / "a.exr", "--gpu-memory", "3"});
   EXPECT_EQ(coarse.exitCode, 0) << coarse.err;
   EXPECT_NE(coarse.err.find("coarser"), std::string::npos) << coarse.err;
-  expectFails(test::pileus({"render", file, "-o", folder / "b.exr", "--gpu-memory", "3", "--set", "Extinction.resolution=4096"}), 4, {"MiB"});
+  expectFails(test::pileus({"render", file, "-o", folder / "b.exr", "--gpu-memory", "3", "--set",
+                            "Extinction.resolution=4096"}),
+              4, {"MiB"});
 }
 
 TEST(Render, DegenerateScenesStayFinite) {
   // Degenerate but legal scenes: a huge scale, a sliver, a medium of enormous extinction.
   const fs::path folder = test::scratchFolder();
-  for (const char* box : {R"("size": [1000000, 1000000, 1000000])", R"("size": [0.000001, 1, 1])", R"("density": 1000000)", R"("density": 0)", R"("center": [1000000, 0, 0])"}) {
+  for (const char* box : {R"("size": [1000000, 1000000, 1000000])", R"("size": [0.000001, 1, 1])",
+                          R"("density": 1000000)", R"("density": 0)", R"("center": [1000000, 0, 0])"}) {
     const fs::path file = write(folder, "a.json", graph(R"("size": [32, 18])", box));
     const auto r = test::pileus({"render", file, "-o", folder / "a.exr", "--overwrite"});
     ASSERT_EQ(r.exitCode, 0) << box << ": " << r.err;

@@ -17,9 +17,12 @@ std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> out(1);
   bool quoted = false;
   for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) out.emplace_back();
-    else out.back() += c;
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      out.emplace_back();
+    else
+      out.back() += c;
   }
   return out;
 }
@@ -28,7 +31,9 @@ using Row = std::map<std::string, std::string>;
 
 TEST(Shootout, MeasuresEveryRepresentation) {
   const fs::path folder = test::scratchFolder(), out = folder / "out";
-  const auto r = test::pileus({"shootout", test::writeIntervalGraph(folder / "gap.json"), "-o", out, "--size", "64x36", "--samples", "1", "--resolution", "192", "--points", "4000"}, 280);
+  const auto r = test::pileus({"shootout", test::writeIntervalGraph(folder / "gap.json"), "-o", out, "--size",
+                               "64x36", "--samples", "1", "--resolution", "192", "--points", "4000"},
+                              280);
   ASSERT_EQ(r.exitCode, 0) << r.out << r.err;
   std::printf("%s", r.out.c_str());
 
@@ -36,7 +41,8 @@ TEST(Shootout, MeasuresEveryRepresentation) {
   std::string line;
   std::getline(csv, line);
   EXPECT_EQ(line,
-            "group,representation,light,resolution,bytes_per_texel,bytes,build_ms,ns_per_lookup,mean_abs_dt,p95_abs_dt,max_abs_dt,mean_dt,picture_relmse");
+            "group,representation,light,resolution,bytes_per_texel,bytes,build_ms,ns_per_lookup,mean_abs_dt,"
+            "p95_abs_dt,max_abs_dt,mean_dt,picture_relmse");
   const std::vector<std::string> names = fields(line);
   std::vector<Row> rows;
   while (std::getline(csv, line)) {
@@ -51,12 +57,15 @@ TEST(Shootout, MeasuresEveryRepresentation) {
   std::map<std::string, std::map<std::string, Row>> by;
   for (Row& row : rows) {
     by[row["group"]][row["representation"]] = row;
-    for (const char* value : {"ns_per_lookup", "max_abs_dt"}) EXPECT_GE(std::stod(row[value]), 0) << row["representation"];
+    for (const char* value : {"ns_per_lookup", "max_abs_dt"})
+      EXPECT_GE(std::stod(row[value]), 0) << row["representation"];
     EXPECT_LE(std::stod(row["mean_abs_dt"]), std::stod(row["max_abs_dt"]) + 1e-9);
     EXPECT_LE(std::abs(std::stod(row["mean_dt"])), std::stod(row["mean_abs_dt"]) + 1e-9);
     if (row["group"] == "truth") continue;
     EXPECT_GT(std::stod(row["build_ms"]), 0) << row["representation"];
-    EXPECT_NEAR(std::stod(row["bytes"]), std::stod(row["bytes_per_texel"]) * std::pow(std::stod(row["resolution"]), 2), 1e-3 * std::stod(row["bytes"]));
+    EXPECT_NEAR(std::stod(row["bytes"]),
+                std::stod(row["bytes_per_texel"]) * std::pow(std::stod(row["resolution"]), 2),
+                1e-3 * std::stod(row["bytes"]));
     if (row["group"] == "equal memory") {
       EXPECT_NEAR(std::stod(row["bytes"]), 32.0 * 192 * 192, 0.01 * 32 * 192 * 192) << row["representation"];
     } else {
@@ -65,7 +74,8 @@ TEST(Shootout, MeasuresEveryRepresentation) {
   }
   ASSERT_EQ(by["defaults"].size(), 16u);
   ASSERT_EQ(by["equal memory"].size(), 16u);
-  Row &ours = by["equal memory"]["Interval 4 + cosine 8"], &fourier = by["equal memory"]["Fourier opacity 15"];
+  Row &ours = by["equal memory"]["Interval 4 + cosine 8"],
+      &fourier = by["equal memory"]["Fourier opacity 15"];
   EXPECT_LT(std::stod(ours["mean_abs_dt"]), 0.25 * std::stod(fourier["mean_abs_dt"]));
   EXPECT_LT(std::stod(ours["picture_relmse"]), 0.25 * std::stod(fourier["picture_relmse"]));
   EXPECT_LT(std::stod(by["defaults"]["Deep shadow map"]["p95_abs_dt"]), 0.02);
@@ -90,22 +100,29 @@ TEST(Shootout, RefusesFilesWithoutLightsOrVolumes) {
   const auto expect = [&](const fs::path& file, const std::vector<std::string>& words) {
     const auto r = test::pileus({"shootout", file, "-o", folder / "out"});
     EXPECT_EQ(r.exitCode, 3) << r.err;
-    for (const std::string& w : words) EXPECT_NE(r.err.find(w), std::string::npos) << "'" << w << "' is not in: " << r.err;
+    for (const std::string& w : words)
+      EXPECT_NE(r.err.find(w), std::string::npos) << "'" << w << "' is not in: " << r.err;
     EXPECT_FALSE(fs::exists(folder / "out"));
   };
   const auto write = [&](const std::string& name, const std::string& nodes, const std::string& links) {
-    std::ofstream(folder / name) << R"({ "pileus": 1, "nodes": { )" << nodes << R"( }, "links": [ )" << links << " ] }";
+    std::ofstream(folder / name) << R"({ "pileus": 1, "nodes": { )" << nodes << R"( }, "links": [ )" << links
+                                 << " ] }";
     return folder / name;
   };
-  const std::string sun = R"("Sun": { "type": "light.sun", "at": [0, 0], "params": {} })", box = R"("Box": { "type": "volume.box", "at": [0, 0], "params": {} })",
+  const std::string sun = R"("Sun": { "type": "light.sun", "at": [0, 0], "params": {} })",
+                    box = R"("Box": { "type": "volume.box", "at": [0, 0], "params": {} })",
                     render = R"("Render": { "type": "render.volume", "at": [0, 0], "params": {} })";
   expect(folder / "missing.json", {"missing.json"});
   expect(write("no-render.json", sun + "," + box, ""), {"no-render.json", "render.volume"});
-  expect(write("no-lights.json", render + "," + box, R"("Box.volume -> Render.volumes")"), {"no-lights.json", "light", "Render"});
-  expect(write("no-volumes.json", render + "," + sun, R"("Sun.light -> Render.lights")"), {"no-volumes.json", "volume", "Render"});
+  expect(write("no-lights.json", render + "," + box, R"("Box.volume -> Render.volumes")"),
+         {"no-lights.json", "light", "Render"});
+  expect(write("no-volumes.json", render + "," + sun, R"("Sun.light -> Render.lights")"),
+         {"no-volumes.json", "volume", "Render"});
   EXPECT_EQ(test::pileus({"shootout"}).exitCode, 2);
   EXPECT_EQ(test::pileus({"shootout", folder / "no-volumes.json", "--size", "0x9"}).exitCode, 2);
-  EXPECT_EQ(test::pileus({"shootout", test::writeIntervalGraph(folder / "gap.json"), "--render", "Nobody"}).exitCode, 2);
+  EXPECT_EQ(test::pileus({"shootout", test::writeIntervalGraph(folder / "gap.json"), "--render", "Nobody"})
+                .exitCode,
+            2);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The comparison with marched truth: nothing where there is nothing, and a wrong map's error as a CPU adds it up.
+// The comparison with marched truth: nothing where there is nothing, and a wrong map's error as a CPU adds it
+// up.
 #include "renderer/view/compare.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 using shadow::ShadowSpec;
 
 volume::InstanceList twoBoxes() {
-  return {test::box(dvec3(0, 1.2, 0), dvec3(1.6, 0.5, 1.2), 1.5), test::box(dvec3(0.2, -1, 0.1), dvec3(1.2, 0.7, 1), 2)};
+  return {test::box(dvec3(0, 1.2, 0), dvec3(1.6, 0.5, 1.2), 1.5),
+          test::box(dvec3(0.2, -1, 0.1), dvec3(1.2, 0.7, 1), 2)};
 }
 
 view::RenderScene sceneOf(const ShadowSpec& spec, ivec2 size, int samples) {
@@ -51,7 +53,8 @@ Seen samplesOf(const view::RenderScene& scene) {
   Seen seen;
   for (int y = 0; y < o.size.y; ++y)
     for (int x = 0; x < o.size.x; ++x) {
-      const dvec3 d = scene::rayDirection(o.camera, double(o.size.x) / o.size.y, (dvec2(x, y) + 0.5) / dvec2(o.size));
+      const dvec3 d =
+          scene::rayDirection(o.camera, double(o.size.x) / o.size.y, (dvec2(x, y) + 0.5) / dvec2(o.size));
       struct Part {
         dvec2 range;
         double sigma, detail;
@@ -59,10 +62,12 @@ Seen samplesOf(const view::RenderScene& scene) {
       std::vector<Part> parts;
       for (const volume::Instance& i : scene.volumes) {
         const dmat4 m = glm::inverse(i.worldFromLocal);
-        if (const auto hit = intersectBox(dvec3(m * dvec4(o.camera.eye, 1)), dvec3(m * dvec4(d, 0)), dvec3(-0.5), dvec3(0.5)))
+        if (const auto hit = intersectBox(dvec3(m * dvec4(o.camera.eye, 1)), dvec3(m * dvec4(d, 0)),
+                                          dvec3(-0.5), dvec3(0.5)))
           parts.push_back({*hit, volume::majorant(i), volume::detailSize(i)});
       }
-      std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.range.x < b.range.x; });
+      std::sort(parts.begin(), parts.end(),
+                [](const Part& a, const Part& b) { return a.range.x < b.range.x; });
       double T = 1;
       for (const Part& p : parts) {  // disjoint along these rays
         const int n = std::max(1, int(std::ceil((p.range.y - p.range.x) / (p.detail * o.stepScale))));
@@ -85,7 +90,8 @@ TEST(Compare, MarchedAgainstMarchedIsNothing) {
   const view::CompareFigures& f = pass.figures();
   EXPECT_GT(f.samples, 1000);
   EXPECT_EQ(f.pictureSamples, 2);
-  for (const double e : {f.shadow.mean, f.shadow.p95, f.shadow.maximum, f.leak, f.dark, f.radiance.mean, f.radiance.p95, f.radiance.maximum, f.relMse})
+  for (const double e : {f.shadow.mean, f.shadow.p95, f.shadow.maximum, f.leak, f.dark, f.radiance.mean,
+                         f.radiance.p95, f.radiance.maximum, f.relMse})
     EXPECT_LT(e, 1e-5);
 }
 
@@ -99,12 +105,14 @@ TEST(Compare, AWrongMapsErrorIsWhatACpuAddsUp) {
   finish(pass);
 
   const Seen seen = samplesOf(scene);
-  const auto mapped = view::lookupTransmittance(test::renderer().gpu(), *scene.lights[0].shadow, seen.positions);
+  const auto mapped =
+      view::lookupTransmittance(test::renderer().gpu(), *scene.lights[0].shadow, seen.positions);
   ASSERT_TRUE(mapped) << mapped.error().message;
   std::vector<double> errors;
   double mean = 0, leakMinusDark = 0, weights = 0;
   for (std::size_t i = 0; i < seen.positions.size(); ++i) {
-    const double truth = std::exp(-shadow::opticalDepthToLight(scene.volumes, scene.lights[0].light, dvec3(seen.positions[i])));
+    const double truth = std::exp(
+        -shadow::opticalDepthToLight(scene.volumes, scene.lights[0].light, dvec3(seen.positions[i])));
     const double e = double((*mapped)[i]) - truth;
     errors.push_back(std::abs(e));
     mean += std::abs(e) / double(seen.positions.size());
@@ -114,9 +122,11 @@ TEST(Compare, AWrongMapsErrorIsWhatACpuAddsUp) {
   std::sort(errors.begin(), errors.end());
   const double p95 = errors[std::size_t(0.95 * double(errors.size()))];
   const view::CompareFigures& f = pass.figures();
-  std::printf("|dT| mean %.5f (CPU %.5f), p95 %.5f (%.5f), max %.5f (%.5f); leak %.5f, dark %.5f; relMSE %.2e\n", f.shadow.mean, mean, f.shadow.p95, p95, f.shadow.maximum,
-              errors.back(), f.leak, f.dark, f.relMse);
-  EXPECT_NEAR(f.samples, double(errors.size()), 0.002 * double(errors.size())) << "steps at the edges of rays may round differently";
+  std::printf(
+      "|dT| mean %.5f (CPU %.5f), p95 %.5f (%.5f), max %.5f (%.5f); leak %.5f, dark %.5f; relMSE %.2e\n",
+      f.shadow.mean, mean, f.shadow.p95, p95, f.shadow.maximum, errors.back(), f.leak, f.dark, f.relMse);
+  EXPECT_NEAR(f.samples, double(errors.size()), 0.002 * double(errors.size()))
+      << "steps at the edges of rays may round differently";
   EXPECT_GT(mean, 0.01) << "the map is wrong on purpose";
   EXPECT_NEAR(f.shadow.mean, mean, 2e-3 * mean);
   EXPECT_NEAR(f.shadow.p95, p95, 0.02 * p95) << "bins are 1.4 % wide";
@@ -149,10 +159,13 @@ TEST(Compare, TheDrawnErrorIsTheMeasuredOne) {
   finish(pass);
   view::CompareDisplay display;
   const double scale = 0.1;
-  const auto texture = display.draw(test::renderer().shaders(), pass, view::CompareDisplay::Show::ShadowError, scale);
+  const auto texture =
+      display.draw(test::renderer().shaders(), pass, view::CompareDisplay::Show::ShadowError, scale);
   ASSERT_TRUE(texture) << texture.error().message;
   std::vector<vec4> sums(1200), seen(1200), shown(1200);
-  const auto read = [](unsigned id, std::vector<vec4>& into) { glGetTextureImage(id, 0, GL_RGBA, GL_FLOAT, GLsizei(into.size() * sizeof(vec4)), into.data()); };
+  const auto read = [](unsigned id, std::vector<vec4>& into) {
+    glGetTextureImage(id, 0, GL_RGBA, GL_FLOAT, GLsizei(into.size() * sizeof(vec4)), into.data());
+  };
   read(pass.shadowError().errors().id(), sums);
   read(pass.shadowError().transmittances().id(), seen);
   read(*texture, shown);

@@ -67,10 +67,12 @@ TEST(Figure2, NamedFamilies) {
     const double fourier = euclid(scene, 12).rms, budget = paper(scene).rms, even = interval(scene, 8, 8).rms,
                  weighted = errorOf(scene, improved(8, 0), Basis::Cosine, 8).rms,
                  all = errorOf(scene, improved(8, 5.5), Basis::Cosine, 8).rms;
-    std::printf("%-10s mean rms: Fourier 12 Euclidean %.4f, paper budget %.4f, interval K = 8 + cosine 8 %.4f, "
-                "with weights %.4f, with weights and horizon %.4f\n",
-                e.name, fourier, budget, even, weighted, all);
-    const double pieces = errorOf(scene, {Metric::Interval, 8}, Basis::Piecewise, 8).rms, pieces16 = errorOf(scene, {Metric::Interval, 8}, Basis::Piecewise, 16).rms;
+    std::printf(
+        "%-10s mean rms: Fourier 12 Euclidean %.4f, paper budget %.4f, interval K = 8 + cosine 8 %.4f, "
+        "with weights %.4f, with weights and horizon %.4f\n",
+        e.name, fourier, budget, even, weighted, all);
+    const double pieces = errorOf(scene, {Metric::Interval, 8}, Basis::Piecewise, 8).rms,
+                 pieces16 = errorOf(scene, {Metric::Interval, 8}, Basis::Piecewise, 16).rms;
     std::printf("%-10s cosines per interval: 8 %.4f, 16 %.4f\n", e.name, pieces, pieces16);
     EXPECT_NEAR(fourier, e.fourier, 0.15 * e.fourier) << e.name;
     EXPECT_NEAR(budget, e.paper, 0.1 * e.paper) << e.name;
@@ -107,8 +109,10 @@ TEST(Figure2, ThreeBoxesOnATenth) {
   const cli::RayScene thick = sceneOf(cli::threeBoxes(50));
   shadow::MetricOptions even{Metric::Interval, 4};
   even.horizon = 5.5;
-  const cli::RayError horizon = errorOf(thick, even, Basis::Cosine, 8), both = errorOf(thick, improved(4, 5.5), Basis::Cosine, 8),
-                      slabs = errorOf(thick, even, Basis::Slab, 8), more = errorOf(thick, even, Basis::Cosine, 16);
+  const cli::RayError horizon = errorOf(thick, even, Basis::Cosine, 8),
+                      both = errorOf(thick, improved(4, 5.5), Basis::Cosine, 8),
+                      slabs = errorOf(thick, even, Basis::Slab, 8),
+                      more = errorOf(thick, even, Basis::Cosine, 16);
   print("tau 50, horizon 5.5", horizon);
   print("  and weights", both);
   print("  slabs", slabs);

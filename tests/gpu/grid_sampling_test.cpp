@@ -1,4 +1,5 @@
-// Voxels on the GPU against OpenVDB's data: every float grid of the data folder, through the brick pool and the shader's own sampler.
+// Voxels on the GPU against OpenVDB's data: every float grid of the data folder, through the brick pool and
+// the shader's own sampler.
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Interpolation.h>
 
@@ -21,7 +22,8 @@ Result<volume::GridPtr> bricksOf(const openvdb::FloatGrid& grid) {
     auto accessor = grid.getConstAccessor();
     for (int z = 0; z < volume::kStoredSize; ++z)
       for (int y = 0; y < volume::kStoredSize; ++y)
-        for (int x = 0; x < volume::kStoredSize; ++x) *out++ = accessor.getValue({lo.x + x, lo.y + y, lo.z + z});
+        for (int x = 0; x < volume::kStoredSize; ++x)
+          *out++ = accessor.getValue({lo.x + x, lo.y + y, lo.z + z});
     return volume::Fill::Voxels;
   };
   JobControl control;
@@ -43,7 +45,9 @@ void check(const std::string& name, const openvdb::FloatGrid& grid) {
   if (g.empty()) return;
   const auto quantum = [&](const dvec3& index) {
     const ivec3 b = ivec3(glm::floor((index - dvec3(g.origin)) / double(volume::kBrickSize)));
-    return glm::all(glm::greaterThanEqual(b, ivec3(0))) && glm::all(glm::lessThan(b, g.levels[0].bricks)) ? double(g.levels[0].at(b).scale) / 255 : 0.0;
+    return glm::all(glm::greaterThanEqual(b, ivec3(0))) && glm::all(glm::lessThan(b, g.levels[0].bricks))
+               ? double(g.levels[0].at(b).scale) / 255
+               : 0.0;
   };
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   std::mt19937_64 rng(11);
@@ -53,7 +57,8 @@ void check(const std::string& name, const openvdb::FloatGrid& grid) {
   std::vector<vec4> positions;
   std::vector<dvec3> index;
   for (int i = 0; i < kVoxels + kPoints; ++i) {
-    // Trilinear points stay where all eight voxels are inside the active bounds: beyond them a grid counts as 0.
+    // Trilinear points stay where all eight voxels are inside the active bounds: beyond them a grid counts as
+    // 0.
     dvec3 p;
     for (int a = 0; a < 3; ++a) {
       const double lo = box.min()[a], hi = box.max()[a];
@@ -75,14 +80,16 @@ void check(const std::string& name, const openvdb::FloatGrid& grid) {
       const dvec3 f = glm::floor(p);
       float lo = 1e30f, hi = -1e30f;
       for (int c = 0; c < 8; ++c) {
-        const float v = accessor.getValue(openvdb::Coord(int(f.x) + (c & 1), int(f.y) + (c >> 1 & 1), int(f.z) + (c >> 2)));
+        const float v = accessor.getValue(
+            openvdb::Coord(int(f.x) + (c & 1), int(f.y) + (c >> 1 & 1), int(f.z) + (c >> 2)));
         lo = std::min(lo, v), hi = std::max(hi, v);
       }
       tolerance = 0.5 * quantum(p) + double(hi - lo) / 256;
     }
     tolerance += 2e-6 * std::max(1.0, std::abs(expected));  // float arithmetic
     const bool ok = std::abs(double(values[std::size_t(i)]) - expected) <= tolerance;
-    EXPECT_TRUE(ok) << name << (i < kVoxels ? " voxel " : " point ") << p.x << " " << p.y << " " << p.z << ": GPU " << values[std::size_t(i)] << ", OpenVDB " << expected << ", tolerance "
+    EXPECT_TRUE(ok) << name << (i < kVoxels ? " voxel " : " point ") << p.x << " " << p.y << " " << p.z
+                    << ": GPU " << values[std::size_t(i)] << ", OpenVDB " << expected << ", tolerance "
                     << tolerance;
     bad += !ok;
   }
@@ -98,7 +105,8 @@ TEST(GridSampling, EveryFloatGridMatchesOpenVdb) {
     file.open();
     const openvdb::GridPtrVecPtr all = file.getGrids();
     for (const auto& base : *all)
-      if (const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(base); grid && grid->activeVoxelCount() > 0) {
+      if (const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(base);
+          grid && grid->activeVoxelCount() > 0) {
         check(entry.path().filename().string() + ":" + grid->getName(), *grid);
         ++grids;
       }
@@ -131,7 +139,8 @@ TEST(GridSampling, MipsConserveTheSum) {
     const float scale = float(1 << level);
     for (int z = 0; z < n; ++z)
       for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x) positions.push_back(vec4((vec3(x, y, z) + 0.5f) * scale - 0.5f, float(level)));
+        for (int x = 0; x < n; ++x)
+          positions.push_back(vec4((vec3(x, y, z) + 0.5f) * scale - 0.5f, float(level)));
     for (const float v : sampleOnGpu(built->grid, positions)) sums[level] += double(v) * std::pow(8.0, level);
   }
   EXPECT_NEAR(sums[1], sums[0], 2e-3 * sums[0]);

@@ -1,4 +1,5 @@
-// Passes whose loops run far more often than llvmpipe lets them (65535 times an invocation, then all of them end in silence).
+// Passes whose loops run far more often than llvmpipe lets them (65535 times an invocation, then all of them
+// end in silence).
 #include <cmath>
 
 #include "renderer/shaders/shared/resume.h"
@@ -19,7 +20,8 @@ using shadow::ShadowSpec;
 volume::Instance block(int voxels, double depth, double sigma, double width = 0.5) {
   volume::VoxelSource source;
   source.name = "block";
-  source.worldFromIndex = glm::scale(glm::translate(dmat4(1), dvec3(0, -depth / 2, 0)), dvec3(width / 48, depth / voxels, width / 48));
+  source.worldFromIndex = glm::scale(glm::translate(dmat4(1), dvec3(0, -depth / 2, 0)),
+                                     dvec3(width / 48, depth / voxels, width / 48));
   source.activeMin = ivec3(-24, 0, -24);
   source.activeMax = ivec3(23, voxels - 1, 23);
   source.fill = [](ivec3, float* out) {
@@ -62,11 +64,15 @@ TEST(LoopLimit, MarchedSlabOfManySteps) {
   scene.options.stepScale = 0.25;
   scene.volumes = volumes;
   scene.lights = {test::shadowed(sun, marched(kShadowStep), volumes)};
-  const double n = kVoxels / scene.options.stepScale, iterations = n * (kVoxels / kShadowStep) / 2 / MARCH_UNROLL;
+  const double n = kVoxels / scene.options.stepScale,
+               iterations = n * (kVoxels / kShadowStep) / 2 / MARCH_UNROLL;
   EXPECT_GT(iterations, 200000);
-  const vec4 lit = test::along({0, 50, 0}, {0, 0, 0}, scene), against = test::along({0, -50, 0}, {0, 0, 0}, scene);
-  const double wantLit = kPhase * (1 - std::exp(-2 * kSigma * kDepth)) / 2, wantAgainst = kPhase * kSigma * kDepth * std::exp(-kSigma * kDepth);
-  std::printf("%.0f iterations: %.3g and %.3g off\n", iterations, double(lit.x) / wantLit - 1, double(against.x) / wantAgainst - 1);
+  const vec4 lit = test::along({0, 50, 0}, {0, 0, 0}, scene),
+             against = test::along({0, -50, 0}, {0, 0, 0}, scene);
+  const double wantLit = kPhase * (1 - std::exp(-2 * kSigma * kDepth)) / 2,
+               wantAgainst = kPhase * kSigma * kDepth * std::exp(-kSigma * kDepth);
+  std::printf("%.0f iterations: %.3g and %.3g off\n", iterations, double(lit.x) / wantLit - 1,
+              double(against.x) / wantAgainst - 1);
   EXPECT_NEAR(lit.x, wantLit, 2e-3 * kPhase);
   EXPECT_NEAR(against.x, wantAgainst, 2e-3 * kPhase);
   EXPECT_NEAR(lit.w, 1 - std::exp(-kSigma * kDepth), 1e-3);
@@ -127,8 +133,11 @@ TEST(LoopLimit, PausesLeaveNoTraceInAPicture) {
       double worst = 0, largest = 0;
       const auto &a = whole.image.layers[0].pixels, &b = cut.image.layers[0].pixels;
       ASSERT_EQ(a.size(), b.size());
-      for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(double(a[i]) - double(b[i]))), largest = std::max(largest, double(a[i]));
-      std::printf("%d lights, pause after %d: %d dispatches (%d without), %.2g of %.2g\n", lights, pauseAfter, cut.dispatches, whole.dispatches, worst, largest);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        worst = std::max(worst, std::abs(double(a[i]) - double(b[i]))),
+        largest = std::max(largest, double(a[i]));
+      std::printf("%d lights, pause after %d: %d dispatches (%d without), %.2g of %.2g\n", lights, pauseAfter,
+                  cut.dispatches, whole.dispatches, worst, largest);
       EXPECT_GT(cut.dispatches, whole.dispatches);
       EXPECT_GT(largest, 0.1);
       EXPECT_LE(worst, 1e-5);
@@ -159,13 +168,15 @@ TEST(LoopLimit, PausesLeaveNoTraceInShadowErrors) {
       pass.pauseAfter(pauseAfter);
       while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
       }
-      return std::array<double, 6>{pass.samples(), pass.mean(), pass.maximum(), pass.quantile(0.95), pass.leak(), pass.dark()};
+      return std::array<double, 6>{pass.samples(),      pass.mean(), pass.maximum(),
+                                   pass.quantile(0.95), pass.leak(), pass.dark()};
     };
     // Three marched lights and their truths are too much for one dispatch on llvmpipe.
     whole = measure(0);
     for (const int pauseAfter : {1, 500}) {
       const auto cut = measure(pauseAfter);
-      for (std::size_t i = 0; i < cut.size(); ++i) EXPECT_NEAR(cut[i], whole[i], 1e-5 * std::abs(whole[i]) + 1e-7) << lights << " lights, figure " << i;
+      for (std::size_t i = 0; i < cut.size(); ++i)
+        EXPECT_NEAR(cut[i], whole[i], 1e-5 * std::abs(whole[i]) + 1e-7) << lights << " lights, figure " << i;
     }
   }
   std::printf("%.0f samples, mean %.3g, largest %.3g\n", whole[0], whole[1], whole[2]);
@@ -195,12 +206,14 @@ TEST(LoopLimit, ExtinctionMapOverManyFineGrids) {
     volume::InstanceList volumes;
     volume::Instance one = block(1024, 2, 0.02);
     for (int i = 0; i < count; ++i) {
-      one.worldFromLocal = glm::translate(one.grid->worldFromIndex, dvec3(0, 3 * i, 0));  // by 3 voxels each: no two the same
+      one.worldFromLocal =
+          glm::translate(one.grid->worldFromIndex, dvec3(0, 3 * i, 0));  // by 3 voxels each: no two the same
       volumes.push_back(one);
     }
     const auto light = test::sunFrom({0, 1, 0});
     shadow::LightFrustum f;  // narrower than a voxel to a texel: the finest level
-    f.worldFromLight = dmat4(dvec4(0.02, 0, 0, 0), dvec4(0, 0, 0.02, 0), dvec4(0, -4, 0, 0), dvec4(-0.01, 2, -0.01, 1));
+    f.worldFromLight =
+        dmat4(dvec4(0.02, 0, 0, 0), dvec4(0, 0, 0.02, 0), dvec4(0, -4, 0, 0), dvec4(-0.01, 2, -0.01, 1));
     const double want = shadow::opticalDepth(volumes, {0, 3, 0}, {0, -3, 0});
     for (const shadow::Metric metric : {shadow::Metric::Interval}) {
       const auto map = test::buildMap(volumes, light, {metric, 4, 4, 32}, {shadow::Basis::Cosine, 8, 32}, &f);
@@ -220,10 +233,12 @@ TEST(LoopLimit, OrderedMapsOverManyFineGrids) {
       volumes.push_back(one);
     }
     shadow::LightFrustum f;
-    f.worldFromLight = dmat4(dvec4(0.02, 0, 0, 0), dvec4(0, 0, 0.02, 0), dvec4(0, -4, 0, 0), dvec4(-0.01, 2, -0.01, 1));
+    f.worldFromLight =
+        dmat4(dvec4(0.02, 0, 0, 0), dvec4(0, 0, 0.02, 0), dvec4(0, -4, 0, 0), dvec4(-0.01, 2, -0.01, 1));
     const auto light = test::sunFrom({0, 1, 0});
     const std::vector<vec3> at{{0.001f, 0.5f, 0.001f}, {0.001f, -0.5f, 0.001f}, {0.001f, -1.9f, 0.001f}};
-    for (const auto kind : {shadow::ShadowSpec::Kind::Deep, shadow::ShadowSpec::Kind::TransmittanceFunction}) {
+    for (const auto kind :
+         {shadow::ShadowSpec::Kind::Deep, shadow::ShadowSpec::Kind::TransmittanceFunction}) {
       shadow::ShadowSpec spec;
       spec.kind = kind;
       spec.coefficients = 31;
@@ -238,7 +253,8 @@ TEST(LoopLimit, OrderedMapsOverManyFineGrids) {
       }
       const auto tau = test::lookupTau(*pass.map(), light, at);
       for (std::size_t i = 0; i < at.size(); ++i) {
-        const double want = std::exp(-shadow::opticalDepthToLight(volumes, light, dvec3(at[i]))), got = std::exp(-double(tau[i]));
+        const double want = std::exp(-shadow::opticalDepthToLight(volumes, light, dvec3(at[i]))),
+                     got = std::exp(-double(tau[i]));
         std::printf("%d grids, %s: T %.4f of %.4f\n", count, shadow::describe(spec).c_str(), got, want);
         EXPECT_NEAR(got, want, 0.01) << count;
       }

@@ -14,7 +14,8 @@ struct Tiles {
   int count = 0;
   std::vector<unsigned char> rgba;
   vec3 at(int tile, int x, int y) const {
-    const auto i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(count * kTile) + static_cast<std::size_t>(tile * kTile + x));
+    const auto i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(count * kTile) +
+                        static_cast<std::size_t>(tile * kTile + x));
     return vec3(rgba[i], rgba[i + 1], rgba[i + 2]);
   }
   /// Colours of a tile that differ clearly from that of its first texel.
@@ -35,7 +36,8 @@ Tiles tilesOf(const Map& map) {
   if (!count || *count == 0) return t;
   t.count = *count;
   t.rgba.resize(static_cast<std::size_t>(t.count * kTile * kTile) * 4);
-  glGetTextureImage(texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(t.rgba.size()), t.rgba.data());
+  glGetTextureImage(texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(t.rgba.size()),
+                    t.rgba.data());
   return t;
 }
 
@@ -64,7 +66,7 @@ TEST(MapThumbnail, EachCoefficientHasATileAndTheDepthInAllIsWarm) {
   const Tiles t = tilesOf(*map);
   ASSERT_EQ(t.count, 6);
   const vec3 middle = t.at(0, kTile / 2, kTile / 2), corner = t.at(0, 0, 0);
-  EXPECT_GT(middle.x, middle.z + 60);  // positive: orange
+  EXPECT_GT(middle.x, middle.z + 60);            // positive: orange
   EXPECT_LT(std::abs(corner.x - corner.z), 20);  // nothing: grey
 }
 

@@ -1,4 +1,5 @@
-// The ray probe: exact where there is an exact answer, the map's own texel on the CPU as on the GPU, and its flags in words.
+// The ray probe: exact where there is an exact answer, the map's own texel on the CPU as on the GPU, and its
+// flags in words.
 #include "renderer/view/ray_probe.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ const scene::Light& noon() {
   return sun;
 }
 
-view::RayProbe probeOf(const ShadowSpec& spec, const volume::InstanceList& volumes, const dvec3& point, const scene::Light& light = noon()) {
+view::RayProbe probeOf(const ShadowSpec& spec, const volume::InstanceList& volumes, const dvec3& point,
+                       const scene::Light& light = noon()) {
   const auto map = shadow::buildShadow(test::renderer().gpu(), spec, light, volumes);
   EXPECT_TRUE(map) << map.error().message;
   auto probe = view::probeRay(test::renderer().gpu(), {light, *map}, point);
@@ -79,7 +81,8 @@ TEST(RayProbe, TwoBoxesAreExact) {
   EXPECT_FALSE(flagged(p, "horizon"));
 }
 
-/// Closed form of technique: two boxes of lengths 1 and 0.5, c_0 = s1 L1 + s2 L2, c_k = 2 (s1 - s2)(L1 + L2) sin(pi k q)/(pi k).
+/// Closed form of technique: two boxes of lengths 1 and 0.5, c_0 = s1 L1 + s2 L2, c_k = 2 (s1 - s2)(L1 + L2)
+/// sin(pi k q)/(pi k).
 TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
   const view::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2));
   ASSERT_EQ(p.taps.taps.size(), 1u);
@@ -97,7 +100,8 @@ TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
       double tau = c[0] * p.u[i];
       for (std::size_t k = 1; k < 8; ++k)
         if (k != mute) tau += c[k] * std::sin(kPi * double(k) * p.u[i]) / (kPi * double(k));
-      ASSERT_NEAR(T[i], std::exp(-std::clamp(tau, 0.0, c[0])), 1e-9) << "without c" << mute << " at " << p.x[i];
+      ASSERT_NEAR(T[i], std::exp(-std::clamp(tau, 0.0, c[0])), 1e-9)
+          << "without c" << mute << " at " << p.x[i];
     }
     const view::ExtinctionOverU over = view::extinctionOverU(p, muted);
     for (std::size_t i = 0; i < over.u.size(); ++i) {
@@ -113,16 +117,19 @@ TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
   EXPECT_NEAR(over.exact[210], 3 * 1.5, 0.15);
 }
 
-/// The CPU's evaluation of the texels is the shader's, for every kind of map and at texel centres and between them.
+/// The CPU's evaluation of the texels is the shader's, for every kind of map and at texel centres and between
+/// them.
 TEST(RayProbe, TheTexelsSayWhatTheLookupSays) {
   std::vector<ShadowSpec> specs{improved(4, 8), improved(1, 8), improved(8, 16)};
   specs[1].metric.storage = specs[1].extinction.storage = shadow::Storage::Half;
   specs[2].metric.weighting = shadow::Weighting::Root;
   specs[2].metric.horizon = 1.2;
-  for (const shadow::Metric metric : {shadow::Metric::Cosine, shadow::Metric::Fourier, shadow::Metric::None}) {
+  for (const shadow::Metric metric :
+       {shadow::Metric::Cosine, shadow::Metric::Fourier, shadow::Metric::None}) {
     specs.push_back(improved(4, 9));
     specs.back().metric.metric = metric;
-    specs.back().extinction.basis = metric == shadow::Metric::None ? shadow::Basis::Fourier : shadow::Basis::Slab;
+    specs.back().extinction.basis =
+        metric == shadow::Metric::None ? shadow::Basis::Fourier : shadow::Basis::Slab;
   }
   specs.push_back(improved(4, 12));
   specs.back().extinction.basis = shadow::Basis::Piecewise;
@@ -143,15 +150,18 @@ TEST(RayProbe, TheTexelsSayWhatTheLookupSays) {
       const view::RayProbe p = probeOf(spec, volumes, point);
       double worst = 0;
       for (std::size_t i = 0; i < p.x.size(); ++i)
-        if (p.x[i] > 1e-3) worst = std::max(worst, std::abs(p.mapped[i] - shadow::tapsTransmittance(*p.map, p.taps, p.x[i])));
+        if (p.x[i] > 1e-3)
+          worst = std::max(worst, std::abs(p.mapped[i] - shadow::tapsTransmittance(*p.map, p.taps, p.x[i])));
       // llvmpipe blends texels of 8 bits in 8 bits: the ends of compact metrics may be off by half a 255th.
-      EXPECT_LT(worst, spec.metric.compact ? 5e-3 : 1e-4) << shadow::describe(spec) << ", taps " << p.taps.taps.size();
+      EXPECT_LT(worst, spec.metric.compact ? 5e-3 : 1e-4)
+          << shadow::describe(spec) << ", taps " << p.taps.taps.size();
     }
 }
 
 /// Integrated over u the series' extinction is its optical depth, whatever the basis.
 TEST(RayProbe, ExtinctionOverUIntegratesToTheOpticalDepth) {
-  for (const shadow::Basis basis : {shadow::Basis::Cosine, shadow::Basis::Fourier, shadow::Basis::Slab, shadow::Basis::Piecewise}) {
+  for (const shadow::Basis basis :
+       {shadow::Basis::Cosine, shadow::Basis::Fourier, shadow::Basis::Slab, shadow::Basis::Piecewise}) {
     ShadowSpec spec = improved(4, 8);
     spec.extinction.basis = basis;
     const view::RayProbe p = probeOf(spec, twoBoxes(), dvec3(0.1, -2, 0.2));
@@ -207,9 +217,11 @@ TEST(RayProbe, DeepMapsShowTheirVertices) {
   const view::RayProbe p = probeOf(deep, twoBoxes(), dvec3(0.1, -2, 0.2));
   ASSERT_GE(p.taps.vertices.size(), 4u);
   EXPECT_TRUE(p.taps.taps.empty());
-  for (std::size_t i = 1; i < p.taps.vertices.size(); ++i) EXPECT_GT(p.taps.vertices[i].x, p.taps.vertices[i - 1].x);
+  for (std::size_t i = 1; i < p.taps.vertices.size(); ++i)
+    EXPECT_GT(p.taps.vertices[i].x, p.taps.vertices[i - 1].x);
   EXPECT_LT(p.maxError, deep.errorBound + 1e-3);
-  EXPECT_TRUE(flagged(p, fmt::format("{} vertices keep V within 0.01", p.taps.vertices.size()))) << allFlags(p);
+  EXPECT_TRUE(flagged(p, fmt::format("{} vertices keep V within 0.01", p.taps.vertices.size())))
+      << allFlags(p);
 }
 
 TEST(RayProbe, PointLightsBeginAtTheirNearDistance) {
@@ -251,7 +263,8 @@ TEST(VisiblePoint, HalfOfWhatIsSeenLiesInFront) {
   EXPECT_FALSE(view::visiblePoint(scene, dvec2(0.02))) << "nothing is seen at the corner";
   // A solid behind thin haze is what one sees.
   scene.volumes[0].medium.extinction = 0.1;
-  scene.solids = {{scene::SolidShape::Box, composeTransform(dvec3(0, 0, -3), dvec3(0), dvec3(2)), vec3(0.5f)}};
+  scene.solids = {
+      {scene::SolidShape::Box, composeTransform(dvec3(0, 0, -3), dvec3(0), dvec3(2)), vec3(0.5f)}};
   const auto solid = view::visiblePoint(scene, dvec2(0.5));
   ASSERT_TRUE(solid);
   EXPECT_NEAR(solid->z, -2, 1e-9);

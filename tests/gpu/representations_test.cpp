@@ -1,4 +1,5 @@
-// Every shadow representation through its own GPU pass and the one lookup: closed forms, gathering against splatting, silhouettes.
+// Every shadow representation through its own GPU pass and the one lookup: closed forms, gathering against
+// splatting, silhouettes.
 #include "renderer/shadow/basis.h"
 #include "renderer/shadow/metric.h"
 #include "tests/support/shadow_specs.h"
@@ -13,33 +14,47 @@ using shadow::ShadowSpec;
 
 TEST(Representations, EndOfTheRayIsExactForEachOfThem) {
   const auto light = test::sunFrom({0.3, 1, 0.2});
-  const volume::InstanceList volumes{box({0, 2, 0}, {1, 0.5, 1}, 1.1), box({0.1, 0, 0}, {1, 0.7, 1}, 2.6, {0, 30, 10}), test::ball({0, -2, 0}, 0.6, 5)};
+  const volume::InstanceList volumes{box({0, 2, 0}, {1, 0.5, 1}, 1.1),
+                                     box({0.1, 0, 0}, {1, 0.7, 1}, 2.6, {0, 30, 10}),
+                                     test::ball({0, -2, 0}, 0.6, 5)};
   ShadowSpec deepest = deep(1e-4), damped = fourier(7);
   damped.damping = true;
-  for (const ShadowSpec& spec : {fourier(3), fourier(7), fourier(15), fourier(31), fourier(7, 128, true), damped, improved(4, 8, 128), improved(8, 16, 128), improved(1, 1, 128), deepest}) {
+  for (const ShadowSpec& spec :
+       {fourier(3), fourier(7), fourier(15), fourier(31), fourier(7, 128, true), damped, improved(4, 8, 128),
+        improved(8, 16, 128), improved(1, 1, 128), deepest}) {
     const auto map = build(spec, volumes, light);
     std::vector<vec3> at;
     for (int y = 8; y < 128; y += 16)
-      for (int x = 8; x < 128; x += 16) at.push_back(vec3(shadow::mapSegment(map->frustum, 0, dvec2(x + 0.5, y + 0.5) / 128.0, 128).to));
+      for (int x = 8; x < 128; x += 16)
+        at.push_back(vec3(shadow::mapSegment(map->frustum, 0, dvec2(x + 0.5, y + 0.5) / 128.0, 128).to));
     EXPECT_LT(worstAgainstReference(*map, volumes, at), 1e-3) << shadow::describe(spec);
   }
 }
 
 TEST(Representations, CosinesPerIntervalAreExactBehindEveryMedium) {
   const auto light = test::sunFrom(kUp);
-  const volume::InstanceList volumes{box({0, 3, 0}, {1, 0.4, 1}, 1), box({0, 1, 0}, {1, 0.1, 1}, 20), box({0, -1, 0}, {1, 1, 1}, 0.5)};
+  const volume::InstanceList volumes{box({0, 3, 0}, {1, 0.4, 1}, 1), box({0, 1, 0}, {1, 0.1, 1}, 20),
+                                     box({0, -1, 0}, {1, 1, 1}, 0.5)};
   for (const int coefficients : {4, 7, 16}) {
     ShadowSpec spec = improved(4, coefficients, 128, false);
     spec.extinction.basis = Basis::Piecewise;
     const auto map = build(spec, volumes, light);
     // Uniform media: linear inside, level in the gaps.
-    EXPECT_LT(worstAgainstReference(*map, volumes, {{0.1f, 2.0f, 0.1f}, {0.1f, 1.0f, 0.1f}, {0.1f, 0.5f, 0.1f}, {0.1f, -1.1f, 0.1f}, {0.1f, -1.5f, 0.1f}}), 1e-4) << coefficients;
+    EXPECT_LT(worstAgainstReference(*map, volumes,
+                                    {{0.1f, 2.0f, 0.1f},
+                                     {0.1f, 1.0f, 0.1f},
+                                     {0.1f, 0.5f, 0.1f},
+                                     {0.1f, -1.1f, 0.1f},
+                                     {0.1f, -1.5f, 0.1f}}),
+              1e-4)
+        << coefficients;
   }
   ShadowSpec few = improved(4, 3, 128, false);
   few.extinction.basis = Basis::Piecewise;
   const auto refused = shadow::buildShadow(test::renderer().gpu(), few, light, volumes);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("coefficients: 3 are too few"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("coefficients: 3 are too few"), std::string::npos)
+      << refused.error().message;
 }
 
 TEST(Representations, FourierOpacityOfASlabHasItsSeries) {
@@ -76,7 +91,8 @@ TEST(Representations, CosinesOfTheBasisAreExact) {
 }
 
 TEST(Representations, ThinSheetOvershootsByTheDirichletIntegral) {
-  // Everything at u0: tau(u) is the integrated Dirichlet kernel, which overshoots by 8.95 % of tau0 as the order grows.
+  // Everything at u0: tau(u) is the integrated Dirichlet kernel, which overshoots by 8.95 % of tau0 as the
+  // order grows.
   const double tau0 = 1, at = 0.5, width = 1e-3;
   const volume::InstanceList volumes{box({0, 0.5 - at, 0}, {1, width, 1}, tau0 / width)};
   ShadowSpec spec;
@@ -98,7 +114,8 @@ TEST(Representations, ThinSheetOvershootsByTheDirichletIntegral) {
 
 TEST(Representations, GaussianBlobAndHeightFog) {
   const double A = 6, w = 0.12;
-  const volume::Instance blob = profile(1024, [&](double d) { return A * std::exp(-std::pow((d - 0.4) / w, 2) / 2); });
+  const volume::Instance blob =
+      profile(1024, [&](double d) { return A * std::exp(-std::pow((d - 0.4) / w, 2) / 2); });
   const volume::Instance fog = profile(1024, [&](double d) { return A * std::exp(-4 * (1 - d)); });
   const ShadowSpec spec = improved(1, 16, 128, false);
   const auto b = buildIn(spec, {blob}, narrow()), f = buildIn(spec, {fog}, narrow());
@@ -106,7 +123,10 @@ TEST(Representations, GaussianBlobAndHeightFog) {
   const auto tb = test::lookupTau(*b, b->light, at), tf = test::lookupTau(*f, f->light, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const double d = (double(i) + 0.5) / 100, half = A * w * std::sqrt(kPi / 2);
-    EXPECT_NEAR(T(double(tb[i])), T(half * (std::erf((d - 0.4) / (w * std::sqrt(2.0))) + std::erf(0.4 / (w * std::sqrt(2.0))))), 8e-3) << d;
+    EXPECT_NEAR(T(double(tb[i])),
+                T(half * (std::erf((d - 0.4) / (w * std::sqrt(2.0))) + std::erf(0.4 / (w * std::sqrt(2.0))))),
+                8e-3)
+        << d;
     EXPECT_NEAR(T(double(tf[i])), T(A / 4 * (std::exp(-4 * (1 - d)) - std::exp(-4.0))), 8e-3) << d;
   }
 }
@@ -122,12 +142,17 @@ TEST(Representations, TransmittanceFunctionIsTheSeriesOfT) {
     // The series by numeric integration.
     std::vector<double> expected(std::size_t(n), 0.0);
     constexpr int kSteps = 200000;
-    for (int i = 0; i < kSteps; ++i) shadow::projectStep(basis, expected, truth((i + 0.5) / kSteps) / kSteps, double(i) / kSteps, double(i + 1) / kSteps);
-    for (int k = 0; k < n; ++k) EXPECT_NEAR(c[std::size_t(k)], expected[std::size_t(k)], 2e-4) << enumId(basis) << " " << k;
+    for (int i = 0; i < kSteps; ++i)
+      shadow::projectStep(basis, expected, truth((i + 0.5) / kSteps) / kSteps, double(i) / kSteps,
+                          double(i + 1) / kSteps);
+    for (int k = 0; k < n; ++k)
+      EXPECT_NEAR(c[std::size_t(k)], expected[std::size_t(k)], 2e-4) << enumId(basis) << " " << k;
     const auto at = downTheRay(50);
     const auto tau = test::lookupTau(*map, map->light, at);
     for (std::size_t i = 0; i < at.size(); ++i)
-      EXPECT_NEAR(T(double(tau[i])), std::clamp(shadow::basisValue(basis, expected, (double(i) + 0.5) / 50), 0.0, 1.0), 1e-3) << enumId(basis) << " " << i;
+      EXPECT_NEAR(T(double(tau[i])),
+                  std::clamp(shadow::basisValue(basis, expected, (double(i) + 0.5) / 50), 0.0, 1.0), 1e-3)
+          << enumId(basis) << " " << i;
   }
 }
 
@@ -136,7 +161,9 @@ TEST(Representations, SplattingIsGathering) {
   volume::InstanceList volumes;
   std::mt19937 rng(3);
   std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < 12; ++i) volumes.push_back(box({u(rng), u(rng), u(rng)}, {0.5, 0.4, 0.6}, 1 + u(rng), {90 * u(rng), 90 * u(rng), 0}));
+  for (int i = 0; i < 12; ++i)
+    volumes.push_back(
+        box({u(rng), u(rng), u(rng)}, {0.5, 0.4, 0.6}, 1 + u(rng), {90 * u(rng), 90 * u(rng), 0}));
   for (const Metric metric : {Metric::Interval, Metric::Fourier, Metric::None})
     for (const Basis basis : {Basis::Cosine, Basis::Slab})
       for (const shadow::Storage storage : {shadow::Storage::Float, shadow::Storage::Half}) {
@@ -152,13 +179,16 @@ TEST(Representations, SplattingIsGathering) {
           for (int x = 0; x < 128; x += 3) {
             const auto a = test::texel(*gathered->block, {x, y}), b = test::texel(*splatted->block, {x, y});
             const double scale = std::max(1.0, std::abs(double(a[0])));
-            for (std::size_t k = 0; k < 8; ++k) worst = std::max(worst, std::abs(double(a[k]) - double(b[k])) / scale);
+            for (std::size_t k = 0; k < 8; ++k)
+              worst = std::max(worst, std::abs(double(a[k]) - double(b[k])) / scale);
           }
         const auto at = pointsInside(volumes, 3000, 4);
         const auto ta = test::lookupTau(*gathered, light, at), tb = test::lookupTau(*splatted, light, at);
         double worstT = 0;
-        for (std::size_t i = 0; i < at.size(); ++i) worstT = std::max(worstT, std::abs(T(double(ta[i])) - T(double(tb[i]))));
-        std::printf("splat against gather, %s %s %s: coefficients %.1e, |dT| %.1e\n", std::string(enumId(metric)).c_str(), std::string(enumId(basis)).c_str(),
+        for (std::size_t i = 0; i < at.size(); ++i)
+          worstT = std::max(worstT, std::abs(T(double(ta[i])) - T(double(tb[i]))));
+        std::printf("splat against gather, %s %s %s: coefficients %.1e, |dT| %.1e\n",
+                    std::string(enumId(metric)).c_str(), std::string(enumId(basis)).c_str(),
                     std::string(enumId(storage)).c_str(), worst, worstT);
         EXPECT_LE(worst, storage == shadow::Storage::Float ? 2e-6 : 4e-3);
         EXPECT_LE(worstT, storage == shadow::Storage::Float ? 1e-5 : 5e-3);
@@ -177,7 +207,8 @@ TEST(Representations, SilhouettesDoNotLeak) {
     EXPECT_TRUE(error) << (error ? "" : error.error().message);
     return error ? *error : 1e9;
   };
-  // Exact intervals and uniform media: in each texel the map is nearly exact; what is left comes from 8 cosines over two densities.
+  // Exact intervals and uniform media: in each texel the map is nearly exact; what is left comes from 8
+  // cosines over two densities.
   ShadowSpec slabs = improved(4, 32, 256);
   slabs.extinction.basis = Basis::Slab;
   // What blending metric and coefficients across an edge would give: the reason for the mixed bit.
@@ -185,7 +216,8 @@ TEST(Representations, SilhouettesDoNotLeak) {
   double naive = 0;
   for (int y = 40; y < 216; ++y)
     for (int x = 40; x < 216; ++x) {
-      const auto m0 = test::texel(*map->metric->block, {x, y}), m1 = test::texel(*map->metric->block, {x + 1, y});
+      const auto m0 = test::texel(*map->metric->block, {x, y}),
+                 m1 = test::texel(*map->metric->block, {x + 1, y});
       if ((m0[2] < 1) == (m1[2] < 1)) continue;
       const auto c0 = test::texel(*map->block, {x, y}), c1 = test::texel(*map->block, {x + 1, y});
       std::vector<double> m, c;
@@ -200,11 +232,17 @@ TEST(Representations, SilhouettesDoNotLeak) {
           return T(shadow::opticalDepth(volumes, ray.from, glm::mix(ray.from, ray.to, depth)));
         };
         const double truth = 0.5 * (exact((x + 0.5) / 256) + exact((x + 1.5) / 256));
-        naive = std::max(naive, std::abs(T(shadow::basisTau(Basis::Cosine, c, shadow::metricU(Metric::Interval, m, depth))) - truth));
+        naive = std::max(
+            naive,
+            std::abs(T(shadow::basisTau(Basis::Cosine, c, shadow::metricU(Metric::Interval, m, depth))) -
+                     truth));
       }
     }
   const double improvedWorst = worst(improved(4, 16, 256)), slabWorst = worst(slabs);
-  std::printf("silhouette: largest |dT| %.3f (16 cosines), %.3f (32 slabs); blending coefficients would err by %.3f\n", improvedWorst, slabWorst, naive);
+  std::printf(
+      "silhouette: largest |dT| %.3f (16 cosines), %.3f (32 slabs); blending coefficients would err by "
+      "%.3f\n",
+      improvedWorst, slabWorst, naive);
   EXPECT_GT(naive, 0.1);  // the scene does show it
   EXPECT_LE(improvedWorst, 0.05);
   EXPECT_LE(slabWorst, 0.05);
@@ -222,13 +260,18 @@ TEST(Representations, EachIsCloserThanItsBoundOnSmoke) {
     ShadowSpec spec;
     double bound;
   };
-  for (const Row& row : {Row{improved(4, 8, 256, false), 0.017}, Row{improved(4, 8, 256), 0.0145}, Row{improved(4, 16, 256), 0.0075}, Row{improved(4, 8, 256, true, shadow::Storage::Half), 0.0145},
-                         Row{fourier(15, 256), 0.02}, Row{fourier(7, 256, true), 0.022}, Row{transmittance(15, Basis::Cosine, 256), 0.018}, Row{deep(0.005, 256), 0.0045}}) {
+  for (const Row& row :
+       {Row{improved(4, 8, 256, false), 0.017}, Row{improved(4, 8, 256), 0.0145},
+        Row{improved(4, 16, 256), 0.0075}, Row{improved(4, 8, 256, true, shadow::Storage::Half), 0.0145},
+        Row{fourier(15, 256), 0.02}, Row{fourier(7, 256, true), 0.022},
+        Row{transmittance(15, Basis::Cosine, 256), 0.018}, Row{deep(0.005, 256), 0.0045}}) {
     const auto map = build(row.spec, volumes, light);
     const auto tau = test::lookupTau(*map, light, at);
     double mean = 0;
-    for (std::size_t i = 0; i < at.size(); ++i) mean += std::abs(T(double(tau[i])) - truth[i]) / double(at.size());
-    std::printf("smoke1, %s: mean |dT| %.4f, %.1f bytes a texel\n", shadow::describe(row.spec).c_str(), mean, map->bytesPerTexel());
+    for (std::size_t i = 0; i < at.size(); ++i)
+      mean += std::abs(T(double(tau[i])) - truth[i]) / double(at.size());
+    std::printf("smoke1, %s: mean |dT| %.4f, %.1f bytes a texel\n", shadow::describe(row.spec).c_str(), mean,
+                map->bytesPerTexel());
     EXPECT_LE(mean, row.bound) << shadow::describe(row.spec);
   }
 }

@@ -18,7 +18,8 @@ view::ShadowSamples samplesOf(const view::RenderScene& scene, int count) {
   return samples ? *samples : view::ShadowSamples{};
 }
 
-std::shared_ptr<const shadow::ShadowMap> build(const view::RenderScene& scene, const shadow::ShadowSpec& spec) {
+std::shared_ptr<const shadow::ShadowMap> build(const view::RenderScene& scene,
+                                               const shadow::ShadowSpec& spec) {
   auto map = shadow::buildShadow(test::renderer().gpu(), spec, scene.lights[0].light, scene.volumes);
   EXPECT_TRUE(map) << (map ? "" : map.error().message);
   return map ? *map : nullptr;
@@ -37,10 +38,13 @@ TEST(Scenes, ImprovedMapLeadsOn76Clouds) {
     ASSERT_TRUE(map);
     const auto r = view::probe(test::renderer().gpu(), *map, samples, 0);
     ASSERT_TRUE(r);
-    std::printf("76 clouds, %-62s %5.1f bytes a texel, mean |dT| %.4f, p95 %.4f, largest %.3f\n", shadow::describe(row.spec).c_str(), map->bytesPerTexel(), r->error.mean, r->error.p95,
+    std::printf("76 clouds, %-62s %5.1f bytes a texel, mean |dT| %.4f, p95 %.4f, largest %.3f\n",
+                shadow::describe(row.spec).c_str(), map->bytesPerTexel(), r->error.mean, r->error.p95,
                 r->error.maximum);
-    if (improved == 0) improved = r->error.mean;
-    else if (!row.ours && row.spec.kind != shadow::ShadowSpec::Kind::Deep && shadow::bytesPerTexel(row.spec) <= 32) {
+    if (improved == 0)
+      improved = r->error.mean;
+    else if (!row.ours && row.spec.kind != shadow::ShadowSpec::Kind::Deep &&
+             shadow::bytesPerTexel(row.spec) <= 32) {
       EXPECT_GT(r->error.mean, improved) << shadow::describe(row.spec);
       ++beaten;
     }

@@ -1,4 +1,5 @@
-// The points shadows are judged at, and the judgement: against closed forms, the march and maps that are wrong on purpose.
+// The points shadows are judged at, and the judgement: against closed forms, the march and maps that are
+// wrong on purpose.
 #include "renderer/view/shadow_probe.h"
 
 #include <cmath>
@@ -25,7 +26,8 @@ scene::Light spotAt(const dvec3& position, const dvec3& target, double cone) {
   return light;
 }
 
-view::ShadowSamples sample(const scene::Light& light, const volume::InstanceList& volumes, const view::SampleOptions& options = {}) {
+view::ShadowSamples sample(const scene::Light& light, const volume::InstanceList& volumes,
+                           const view::SampleOptions& options = {}) {
   JobControl control;
   auto samples = view::sampleShadow(light, volumes, options, control);
   EXPECT_TRUE(samples) << samples.error().message;
@@ -35,7 +37,8 @@ view::ShadowSamples sample(const scene::Light& light, const volume::InstanceList
 const volume::InstanceList kGap{test::ball({-3, 0, 0}, 1, 0.8), test::box({2, 0.3, 0}, {1, 2, 2}, 1.1)};
 
 TEST(ShadowSamples, LieInTheMediaWithTheExactTransmittance) {
-  for (const scene::Light& light : {test::sunFrom({-1, 0.4, 0.2}), pointAt({-6, 1, 0}), spotAt({-7, 1, 0}, {0, 0, 0}, 40), pointAt({-3, 0.2, 0})}) {
+  for (const scene::Light& light : {test::sunFrom({-1, 0.4, 0.2}), pointAt({-6, 1, 0}),
+                                    spotAt({-7, 1, 0}, {0, 0, 0}, 40), pointAt({-3, 0.2, 0})}) {
     const view::ShadowSamples s = sample(light, kGap, {.count = 4000});
     ASSERT_EQ(s.positions.size(), 4000u);
     ASSERT_EQ(s.transmittance.size(), 4000u);
@@ -44,7 +47,8 @@ TEST(ShadowSamples, LieInTheMediaWithTheExactTransmittance) {
       ASSERT_TRUE(volume::sigmaAt(kGap[0], p) > 0 || volume::sigmaAt(kGap[1], p) > 0);
       ASSERT_NEAR(s.transmittance[i], std::exp(-shadow::opticalDepthToLight(kGap, light, p)), 1e-5);
       if (light.kind == scene::LightKind::Spot) {
-        ASSERT_GT(glm::dot(glm::normalize(light.position - p), light.towards), std::cos(glm::radians(20.0)) - 1e-6);
+        ASSERT_GT(glm::dot(glm::normalize(light.position - p), light.towards),
+                  std::cos(glm::radians(20.0)) - 1e-6);
       }
     }
   }
@@ -53,7 +57,8 @@ TEST(ShadowSamples, LieInTheMediaWithTheExactTransmittance) {
 TEST(ShadowSamples, AreUniformUnderASunAndFollowTheSeed) {
   // A ball, seen in parallel rays by their length in it: uniform over its volume, so that E|p|^2 = 3/5.
   const volume::InstanceList ball{test::ball({0, 0, 0}, 1, 2)};
-  const view::ShadowSamples a = sample(test::sunFrom({0.3, 1, 0.1}), ball), b = sample(test::sunFrom({0.3, 1, 0.1}), ball),
+  const view::ShadowSamples a = sample(test::sunFrom({0.3, 1, 0.1}), ball),
+                            b = sample(test::sunFrom({0.3, 1, 0.1}), ball),
                             c = sample(test::sunFrom({0.3, 1, 0.1}), ball, {.seed = 2});
   double square = 0;
   for (const vec4& p : a.positions) square += double(glm::dot(vec3(p), vec3(p))) / double(a.positions.size());
@@ -82,14 +87,17 @@ TEST(ShadowSamples, AreUniformOverDistanceUnderAPointLight) {
 TEST(ShadowSamples, SayWhereThereIsNothingToSample) {
   JobControl control;
   EXPECT_EQ(view::sampleShadow(test::sunFrom({0, 1, 0}), {}, {}, control).error().code, Code::Input);
-  EXPECT_EQ(view::sampleShadow(spotAt({0, 5, 0}, {0, 10, 0}, 30), kGap, {}, control).error().code, Code::Input) << "shines the other way";
+  EXPECT_EQ(view::sampleShadow(spotAt({0, 5, 0}, {0, 10, 0}, 30), kGap, {}, control).error().code,
+            Code::Input)
+      << "shines the other way";
   control.cancel();
   EXPECT_EQ(view::sampleShadow(test::sunFrom({0, 1, 0}), kGap, {}, control).error().code, Code::Cancelled);
 }
 
 TEST(ShadowProbe, FindsTheMarchRightAndGoodMapsGood) {
   const shadow::Gpu gpu = test::renderer().gpu();
-  for (const scene::Light& light : {test::sunFrom({-1, 0.4, 0.2}), pointAt({-6, 1, 0}), spotAt({-7, 1, 0}, {0, 0, 0}, 40)}) {
+  for (const scene::Light& light :
+       {test::sunFrom({-1, 0.4, 0.2}), pointAt({-6, 1, 0}), spotAt({-7, 1, 0}, {0, 0, 0}, 40)}) {
     const view::ShadowSamples samples = sample(light, kGap, {.count = 6000});
     const auto march = view::probe(gpu, *shadow::marchedShadow(light, kGap, {}), samples);
     ASSERT_TRUE(march) << march.error().message;
@@ -101,7 +109,8 @@ TEST(ShadowProbe, FindsTheMarchRightAndGoodMapsGood) {
     ASSERT_TRUE(map) << map.error().message;
     const auto good = view::probe(gpu, **map, samples);
     ASSERT_TRUE(good);
-    std::printf("light kind %d: interval map mean %.5f p95 %.5f max %.4f, %.0f ns a lookup\n", int(light.kind), good->error.mean, good->error.p95, good->error.maximum, good->nsPerLookup);
+    std::printf("light kind %d: interval map mean %.5f p95 %.5f max %.4f, %.0f ns a lookup\n",
+                int(light.kind), good->error.mean, good->error.p95, good->error.maximum, good->nsPerLookup);
     EXPECT_LT(good->error.mean, 0.004);
     EXPECT_LT(good->error.p95, 0.015);
     EXPECT_LE(good->error.mean, good->error.maximum);
@@ -130,7 +139,8 @@ TEST(ShadowProbe, AShadowWithoutTheMediaLeaksAllTheirLight) {
 TEST(ShadowProbe, PercentilesAreThoseOfTheErrors) {
   std::vector<float> mapped;
   std::vector<double> truth;
-  for (int i = 0; i <= 100; ++i) mapped.push_back(1), truth.push_back(1 - i * 1e-3);  // errors 0, 0.001 .. 0.1
+  for (int i = 0; i <= 100; ++i)
+    mapped.push_back(1), truth.push_back(1 - i * 1e-3);  // errors 0, 0.001 .. 0.1
   const view::ShadowError e = view::shadowError(mapped, truth);
   EXPECT_NEAR(e.mean, 0.05, 1e-12);
   EXPECT_NEAR(e.bias, 0.05, 1e-12);

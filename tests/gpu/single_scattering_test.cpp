@@ -1,4 +1,5 @@
-// Pictures with exact answers: single scattering in a homogeneous slab, lit along its normal, by map and by march.
+// Pictures with exact answers: single scattering in a homogeneous slab, lit along its normal, by map and by
+// march.
 #include <cmath>
 
 #include "tests/support/lit.h"
@@ -21,7 +22,8 @@ Lit slab() {
   lit.volumes = {test::box({0, 0, 0}, {kWidth, kDepth, kWidth}, kSigma)};
   lit.volumes[0].medium.albedo = vec3(float(kAlbedo));
   lit.light = test::sunFrom({0, 1, 0});
-  lit.byMap = {{lit.light, test::buildMap(lit.volumes, lit.light, {shadow::Metric::Interval, 4, 4, 128}, {shadow::Basis::Cosine, 8, 128})}};
+  lit.byMap = {{lit.light, test::buildMap(lit.volumes, lit.light, {shadow::Metric::Interval, 4, 4, 128},
+                                          {shadow::Basis::Cosine, 8, 128})}};
   auto march = std::make_shared<shadow::ShadowMap>();
   march->kind = shadow::ShadowMap::Kind::RayMarch;
   march->volumes = lit.volumes;
@@ -29,7 +31,8 @@ Lit slab() {
   return lit;
 }
 
-image::Image look(const Lit& lit, const std::vector<shadow::ShadowedLight>& lights, const dvec3& eye, const dvec3& target, int samples = 1) {
+image::Image look(const Lit& lit, const std::vector<shadow::ShadowedLight>& lights, const dvec3& eye,
+                  const dvec3& target, int samples = 1) {
   view::RenderOptions o;
   o.size = ivec2(33, 33);
   o.samples = samples;
@@ -40,13 +43,16 @@ image::Image look(const Lit& lit, const std::vector<shadow::ShadowedLight>& ligh
   return test::render(o, lit.volumes, lights);
 }
 
-double centre(const image::Image& image, std::size_t channel) { return double(image.layers[0].pixels[(16 * 33 + 16) * 4 + channel]); }
+double centre(const image::Image& image, std::size_t channel) {
+  return double(image.layers[0].pixels[(16 * 33 + 16) * 4 + channel]);
+}
 
 TEST(SingleScattering, SlabFromTheLitSide) {
   const Lit lit = slab();
   for (const auto& lights : {lit.byMap, lit.byMarch}) {
     const auto image = look(lit, lights, {0, 50, 0}, {0, 0, 0});
-    EXPECT_NEAR(centre(image, 0), kAlbedo * kIsotropic * (1 - std::exp(-2 * kSigma * kDepth)) / 2, 2e-3 * kAlbedo * kIsotropic);
+    EXPECT_NEAR(centre(image, 0), kAlbedo * kIsotropic * (1 - std::exp(-2 * kSigma * kDepth)) / 2,
+                2e-3 * kAlbedo * kIsotropic);
     EXPECT_NEAR(centre(image, 3), 1 - std::exp(-kSigma * kDepth), 1e-4);
   }
 }
@@ -54,21 +60,26 @@ TEST(SingleScattering, SlabFromTheLitSide) {
 TEST(SingleScattering, SlabAgainstTheLight) {
   const Lit lit = slab();
   for (const auto& lights : {lit.byMap, lit.byMarch})
-    EXPECT_NEAR(centre(look(lit, lights, {0, -50, 0}, {0, 0, 0}), 0), kAlbedo * kIsotropic * kSigma * kDepth * std::exp(-kSigma * kDepth), 2e-3 * kAlbedo * kIsotropic);
+    EXPECT_NEAR(centre(look(lit, lights, {0, -50, 0}, {0, 0, 0}), 0),
+                kAlbedo * kIsotropic * kSigma * kDepth * std::exp(-kSigma * kDepth),
+                2e-3 * kAlbedo * kIsotropic);
 }
 
 TEST(SingleScattering, SlabAcrossTheLight) {
   const Lit lit = slab();
   for (const double y : {0.3, 1.0, 1.7})
     for (const auto& lights : {lit.byMap, lit.byMarch})
-      EXPECT_NEAR(centre(look(lit, lights, {100, kDepth / 2 - y, 0}, {0, kDepth / 2 - y, 0}), 0), kAlbedo * kIsotropic * std::exp(-kSigma * y) * (1 - std::exp(-kSigma * kWidth)),
+      EXPECT_NEAR(centre(look(lit, lights, {100, kDepth / 2 - y, 0}, {0, kDepth / 2 - y, 0}), 0),
+                  kAlbedo * kIsotropic * std::exp(-kSigma * y) * (1 - std::exp(-kSigma * kWidth)),
                   2e-3 * kAlbedo * kIsotropic);
 }
 
 TEST(SingleScattering, CameraInsideAndMirroredVolume) {
   Lit lit = slab();
   const auto outside = look(lit, lit.byMap, {0, 0, 0}, {1, 0, 0});
-  EXPECT_NEAR(centre(outside, 0), kAlbedo * kIsotropic * std::exp(-kSigma) * (1 - std::exp(-kSigma * kWidth / 2)), 2e-3 * kAlbedo * kIsotropic);
+  EXPECT_NEAR(centre(outside, 0),
+              kAlbedo * kIsotropic * std::exp(-kSigma) * (1 - std::exp(-kSigma * kWidth / 2)),
+              2e-3 * kAlbedo * kIsotropic);
   lit.volumes[0].worldFromLocal = glm::scale(lit.volumes[0].worldFromLocal, dvec3(-1, 1, -1));
   const auto mirrored = look(lit, lit.byMap, {0, 0, 0}, {1, 0, 0});
   EXPECT_NEAR(centre(mirrored, 0), centre(outside, 0), 1e-6);
@@ -76,7 +87,8 @@ TEST(SingleScattering, CameraInsideAndMirroredVolume) {
 
 TEST(SingleScattering, JitteredSamplesAgreeWithTheMidpoint) {
   const Lit lit = slab();
-  EXPECT_NEAR(centre(look(lit, lit.byMap, {3, 50, 0}, {0, 0, 0}, 64), 0), centre(look(lit, lit.byMap, {3, 50, 0}, {0, 0, 0}, 1), 0), 2e-3 * kAlbedo * kIsotropic);
+  EXPECT_NEAR(centre(look(lit, lit.byMap, {3, 50, 0}, {0, 0, 0}, 64), 0),
+              centre(look(lit, lit.byMap, {3, 50, 0}, {0, 0, 0}, 1), 0), 2e-3 * kAlbedo * kIsotropic);
 }
 
 TEST(SingleScattering, OverlapIsTheSumOfExtinctions) {
@@ -89,18 +101,24 @@ TEST(SingleScattering, OverlapIsTheSumOfExtinctions) {
     volume::InstanceList many;
     for (int i = 0; i < copies; ++i) many.push_back(test::box({0.001 * i, 0, 0}, {1, 1, 1}, 0.2));
     const volume::InstanceList one{test::box({0, 0, 0}, {1, 1, 1}, 0.2 * copies)};
-    const auto shadowOf = [&](const volume::InstanceList& v) { return test::buildMap(v, light, {shadow::Metric::Interval, 4, 4, 128}, {shadow::Basis::Cosine, 8, 128}); };
-    const auto a = test::render(o, many, {{light, shadowOf(many)}}), b = test::render(o, one, {{light, shadowOf(one)}});
+    const auto shadowOf = [&](const volume::InstanceList& v) {
+      return test::buildMap(v, light, {shadow::Metric::Interval, 4, 4, 128}, {shadow::Basis::Cosine, 8, 128});
+    };
+    const auto a = test::render(o, many, {{light, shadowOf(many)}}),
+               b = test::render(o, one, {{light, shadowOf(one)}});
     EXPECT_NEAR(centre(a, 0), centre(b, 0), 2e-3 * centre(b, 0)) << copies;
     EXPECT_NEAR(centre(a, 3), centre(b, 3), 1e-4) << copies;
   }
 }
 
-/// L of one camera ray through a homogeneous box under a point or spot light, by a fine midpoint rule in double precision.
-double scatteredTowards(const volume::Instance& medium, const scene::Light& light, const dvec3& eye, const dvec3& d) {
+/// L of one camera ray through a homogeneous box under a point or spot light, by a fine midpoint rule in
+/// double precision.
+double scatteredTowards(const volume::Instance& medium, const scene::Light& light, const dvec3& eye,
+                        const dvec3& d) {
   const dmat4 local = glm::inverse(medium.worldFromLocal);
   const auto inside = [&](const dvec3& o, const dvec3& along) {
-    const auto hit = intersectBox(dvec3(local * dvec4(o, 1)), dvec3(local * dvec4(along, 0)), dvec3(-0.5), dvec3(0.5));
+    const auto hit =
+        intersectBox(dvec3(local * dvec4(o, 1)), dvec3(local * dvec4(along, 0)), dvec3(-0.5), dvec3(0.5));
     return hit ? dvec2(std::max(hit->x, 0.0), std::max(hit->y, 0.0)) : dvec2(0);
   };
   const dvec2 span = inside(eye, d);
@@ -153,9 +171,11 @@ TEST(SingleScattering, PointAndSpotLightsAgreeWithTheIntegral) {
             continue;
           }
           worst = std::max(worst, std::abs(have / want - 1));
-          EXPECT_NEAR(have / want, 1, kind == shadow::ShadowSpec::Kind::RayMarch ? 1e-4 : 1.5e-3) << l.what << ", eye " << eye.x << ", target " << target.x;
+          EXPECT_NEAR(have / want, 1, kind == shadow::ShadowSpec::Kind::RayMarch ? 1e-4 : 1.5e-3)
+              << l.what << ", eye " << eye.x << ", target " << target.x;
         }
-      std::printf("light %s, %s: off by at most %.5f of the integral\n", l.what, shadow::describe(spec).c_str(), worst);
+      std::printf("light %s, %s: off by at most %.5f of the integral\n", l.what,
+                  shadow::describe(spec).c_str(), worst);
     }
 }
 

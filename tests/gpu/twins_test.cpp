@@ -15,8 +15,11 @@ using shadow::Metric;
 
 constexpr int kCount = 10000, kIn = 64, kOut = 40;
 
-/// Relative to the larger of the value and 1: sums of terms around 1 cannot be better than float rounding of 1.
-void expectNear(double a, double b, double scale, const char* what, int i) { EXPECT_NEAR(a, b, 1e-5 * std::max({1.0, std::abs(b), scale})) << what << " input " << i; }
+/// Relative to the larger of the value and 1: sums of terms around 1 cannot be better than float rounding
+/// of 1.
+void expectNear(double a, double b, double scale, const char* what, int i) {
+  EXPECT_NEAR(a, b, 1e-5 * std::max({1.0, std::abs(b), scale})) << what << " input " << i;
+}
 
 void compare(Metric metric, Basis basis) {
   std::mt19937_64 rng(77);
@@ -39,9 +42,14 @@ void compare(Metric metric, Basis basis) {
     }
     for (int k = 0; k < 8; ++k) r[32 + k] = k == 0 || basis == Basis::Slab ? 3 * u(rng) : s(rng);
   }
-  const int metricCode = metric == Metric::Interval ? METRIC_INTERVAL : metric == Metric::Cosine ? METRIC_COSINE : METRIC_FOURIER;
-  const int basisCode = basis == Basis::Cosine ? BASIS_COSINE : basis == Basis::Fourier ? BASIS_FOURIER : BASIS_SLAB;
-  auto program = test::renderer().shaders().program({"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"WEIGHTS", 1}});
+  const int metricCode = metric == Metric::Interval ? METRIC_INTERVAL
+                         : metric == Metric::Cosine ? METRIC_COSINE
+                                                    : METRIC_FOURIER;
+  const int basisCode = basis == Basis::Cosine    ? BASIS_COSINE
+                        : basis == Basis::Fourier ? BASIS_FOURIER
+                                                  : BASIS_SLAB;
+  auto program = test::renderer().shaders().program(
+      {"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"WEIGHTS", 1}});
   ASSERT_TRUE(program) << program.error().message;
   gl::Buffer input, output;
   input.assign(std::span<const float>(in));
@@ -82,9 +90,11 @@ void compare(Metric metric, Basis basis) {
     expectNear(o[5], shadow::metricU(metric, m, r[8], w), 1, "u", i);
     if (metric != Metric::Interval) expectNear(o[6], shadow::metricFace(metric, i % 8, r[8]), 1, "face", i);
     expectNear(o[7], shadow::basisTau(basis, c, r[8]), 3, "tau", i);
-    expectNear(o[17], shadow::basisTau(basis, std::span(c).first(std::size_t(1 + i % 7)), r[8]), 3, "tau of fewer", i);
+    expectNear(o[17], shadow::basisTau(basis, std::span(c).first(std::size_t(1 + i % 7)), r[8]), 3,
+               "tau of fewer", i);
     const double slab = 8.0 * double(r[8]);
-    if (basis != Basis::Slab || std::abs(slab - std::round(slab)) > 1e-4) expectNear(o[16], shadow::basisValue(basis, c, r[8]), 8, "value", i);
+    if (basis != Basis::Slab || std::abs(slab - std::round(slab)) > 1e-4)
+      expectNear(o[16], shadow::basisValue(basis, c, r[8]), 8, "value", i);
     std::vector<double> projected(8, 0.0);
     shadow::projectStep(basis, projected, r[9], r[10], r[11]);
     for (std::size_t k = 0; k < 8; ++k) expectNear(o[8 + k], projected[k], 6, "projection", i);
@@ -98,13 +108,40 @@ TEST(Twins, IntervalMetricAndSlabs) { compare(Metric::Interval, Basis::Slab); }
 TEST(Shaders, EveryEntryCompiles) {
   test::renderer();
   gl::ShaderLibrary library;
-  const gl::Defines defines = {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"STORES", 7}, {"LIGHT_KINDS", 31}, {"STORE", 1}, {"INTERVALS", 4}, {"BRICKS", 1},
-                               {"WEIGHTS", 1}, {"HORIZON", 1}, {"PROBES", 64}, {"COEFFICIENTS", 8}, {"DAMPING", 1}, {"PERSPECTIVE", 1}, {"STEP_HALVES", 2}, {"LOOKUP_BASES", 15}, {"RESUME", 1}, {"BATCHED", 1}, {"WINDOWED", 1}, {"FILL", 1}, {"FILTER", 2}, {"SOLIDS", 1},
-                               {"TERMS", 4}, {"METRIC", METRIC_COSINE}, {"METRIC_COUNT", 4}, {"BASIS", BASIS_COSINE}, {"ACTIVE", 4}, {"OVERFLOW", 1}, {"LIGHTS", 0}, {"SHAPES", 3}};
+  const gl::Defines defines = {{"METRIC_FLOATS", 8},
+                               {"BASIS_FLOATS", 8},
+                               {"STORES", 7},
+                               {"LIGHT_KINDS", 31},
+                               {"STORE", 1},
+                               {"INTERVALS", 4},
+                               {"BRICKS", 1},
+                               {"WEIGHTS", 1},
+                               {"HORIZON", 1},
+                               {"PROBES", 64},
+                               {"COEFFICIENTS", 8},
+                               {"DAMPING", 1},
+                               {"PERSPECTIVE", 1},
+                               {"STEP_HALVES", 2},
+                               {"LOOKUP_BASES", 15},
+                               {"RESUME", 1},
+                               {"BATCHED", 1},
+                               {"WINDOWED", 1},
+                               {"FILL", 1},
+                               {"FILTER", 2},
+                               {"SOLIDS", 1},
+                               {"TERMS", 4},
+                               {"METRIC", METRIC_COSINE},
+                               {"METRIC_COUNT", 4},
+                               {"BASIS", BASIS_COSINE},
+                               {"ACTIVE", 4},
+                               {"OVERFLOW", 1},
+                               {"LIGHTS", 0},
+                               {"SHAPES", 3}};
   for (const std::string& entry : gl::ShaderLibrary::entries()) {
     std::vector<std::string> stages{entry};
     if (entry.find(".vert.") != entry.npos) continue;  // compiled with their fragment shader
-    if (const auto at = entry.find(".frag."); at != entry.npos) stages.insert(stages.begin(), entry.substr(0, at) + ".vert.glsl");
+    if (const auto at = entry.find(".frag."); at != entry.npos)
+      stages.insert(stages.begin(), entry.substr(0, at) + ".vert.glsl");
     const auto program = library.program(stages, defines);
     EXPECT_TRUE(program) << program.error().message;
   }
@@ -114,7 +151,8 @@ TEST(Shaders, MessagesNameFileAndLine) {
   test::renderer();
   test::ExpectLogged expected;
   gl::ShaderLibrary library;
-  const auto program = library.program({"shadow/lookup.comp.glsl"}, {}, "#define lookupTransmittance noSuchFunction(\n", "broken");
+  const auto program = library.program({"shadow/lookup.comp.glsl"}, {},
+                                       "#define lookupTransmittance noSuchFunction(\n", "broken");
   ASSERT_FALSE(program);
   EXPECT_NE(program.error().message.find(".glsl:"), std::string::npos) << program.error().message;
 }

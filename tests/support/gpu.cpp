@@ -57,17 +57,22 @@ scene::Light sunFrom(const dvec3& towards, float irradiance) {
   return light;
 }
 
-std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& volumes, const scene::Light& light, const shadow::MetricOptions& metric,
-                                                  const shadow::ExtinctionOptions& extinction, const shadow::LightFrustum* frustum) {
+std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& volumes,
+                                                  const scene::Light& light,
+                                                  const shadow::MetricOptions& metric,
+                                                  const shadow::ExtinctionOptions& extinction,
+                                                  const shadow::LightFrustum* frustum) {
   renderer();
-  shadow::PseudometricPass m(metric, light, volumes, frustum ? *frustum : shadow::fitLight(light, volumes, metric.resolution));
+  shadow::PseudometricPass m(metric, light, volumes,
+                             frustum ? *frustum : shadow::fitLight(light, volumes, metric.resolution));
   finish(m);
   shadow::ExtinctionPass e(extinction, m.map());
   finish(e);
   return e.map();
 }
 
-std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& light, const std::vector<vec3>& positions) {
+std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& light,
+                             const std::vector<vec3>& positions) {
   shadow::ShadowMap lit = map;  // by the light that is asked for
   lit.light = light;
   std::vector<vec4> padded;
@@ -80,12 +85,13 @@ std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& l
 std::vector<float> texel(const shadow::ShadowBlock& block, ivec2 at) {
   const gpu::BlockRecord r = block.record();
   std::vector<float> out(std::size_t(block.layers()) * 4);
-  glGetTextureSubImage(block.texture(), 0, r.place.x + at.x, r.place.y + at.y, r.place.w, 1, 1, block.layers(), GL_RGBA, GL_FLOAT, GLsizei(out.size() * sizeof(float)),
-                       out.data());
+  glGetTextureSubImage(block.texture(), 0, r.place.x + at.x, r.place.y + at.y, r.place.w, 1, 1,
+                       block.layers(), GL_RGBA, GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
   return out;
 }
 
-image::Image render(const view::RenderOptions& options, const volume::InstanceList& volumes, const std::vector<shadow::ShadowedLight>& lights) {
+image::Image render(const view::RenderOptions& options, const volume::InstanceList& volumes,
+                    const std::vector<shadow::ShadowedLight>& lights) {
   renderer();
   view::VolumeRenderPass pass(options, volumes, lights);
   finish(pass);

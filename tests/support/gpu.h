@@ -18,13 +18,18 @@ volume::Instance ball(const dvec3& center, double radius, double sigma);
 scene::Light sunFrom(const dvec3& towards, float irradiance = 1);
 
 /// Metric and extinction map of a sun, run to the end. `frustum` null: fitted.
-std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& volumes, const scene::Light& light, const shadow::MetricOptions& metric,
-                                                  const shadow::ExtinctionOptions& extinction, const shadow::LightFrustum* frustum = nullptr);
+std::shared_ptr<const shadow::ShadowMap> buildMap(const volume::InstanceList& volumes,
+                                                  const scene::Light& light,
+                                                  const shadow::MetricOptions& metric,
+                                                  const shadow::ExtinctionOptions& extinction,
+                                                  const shadow::LightFrustum* frustum = nullptr);
 /// -log of lookupTransmittance on the GPU: at most 87.
-std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& light, const std::vector<vec3>& positions);
+std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& light,
+                             const std::vector<vec3>& positions);
 /// All floats of a block's texel, layer by layer.
 std::vector<float> texel(const shadow::ShadowBlock& block, ivec2 at);
 /// A picture, run to the end; RGBA floats.
-image::Image render(const view::RenderOptions& options, const volume::InstanceList& volumes, const std::vector<shadow::ShadowedLight>& lights);
+image::Image render(const view::RenderOptions& options, const volume::InstanceList& volumes,
+                    const std::vector<shadow::ShadowedLight>& lights);
 
 }  // namespace pileus::test

@@ -16,7 +16,9 @@ namespace pileus::test {
 inline const dvec3 kUp(0, 1, 0);
 inline double T(double tau) { return std::exp(-tau); }
 
-inline std::shared_ptr<const shadow::ShadowMap> build(const shadow::ShadowSpec& spec, const volume::InstanceList& volumes, const scene::Light& light) {
+inline std::shared_ptr<const shadow::ShadowMap> build(const shadow::ShadowSpec& spec,
+                                                      const volume::InstanceList& volumes,
+                                                      const scene::Light& light) {
   renderer();
   auto map = shadow::buildShadow(renderer().gpu(), spec, light, volumes);
   EXPECT_TRUE(map) << (map ? "" : map.error().message);
@@ -38,8 +40,11 @@ inline shadow::ShadowSpec transmittance(int coefficients, shadow::Basis basis, i
   s.basis = basis;
   return s;
 }
-inline shadow::ShadowSpec deep(double bound, int resolution = 128) { return cli::deepSpec(bound, resolution); }
-inline shadow::ShadowSpec improved(int intervals, int coefficients, int resolution, bool extras = true, shadow::Storage storage = shadow::Storage::Float) {
+inline shadow::ShadowSpec deep(double bound, int resolution = 128) {
+  return cli::deepSpec(bound, resolution);
+}
+inline shadow::ShadowSpec improved(int intervals, int coefficients, int resolution, bool extras = true,
+                                   shadow::Storage storage = shadow::Storage::Float) {
   return cli::intervalSpec(intervals, coefficients, resolution, extras, storage);
 }
 
@@ -47,7 +52,8 @@ inline shadow::ShadowSpec improved(int intervals, int coefficients, int resoluti
 inline volume::Instance profile(int voxels, const std::function<double(double)>& sigma) {
   volume::VoxelSource source;
   source.name = "profile";
-  source.worldFromIndex = glm::scale(glm::translate(dmat4(1), dvec3(0, 0.5 - 0.5 / voxels, 0)), dvec3(1.0, -1.0 / voxels, 1.0));
+  source.worldFromIndex =
+      glm::scale(glm::translate(dmat4(1), dvec3(0, 0.5 - 0.5 / voxels, 0)), dvec3(1.0, -1.0 / voxels, 1.0));
   source.activeMin = ivec3(-8, 0, -8);
   source.activeMax = ivec3(8, voxels - 1, 8);
   source.fill = [&](ivec3 lo, float* out) {
@@ -69,14 +75,18 @@ inline volume::Instance profile(int voxels, const std::function<double(double)>&
   return i;
 }
 
-/// One light ray in the middle of a narrow frustum that spans exactly depth 0..1: u = x for the Euclidean metric.
+/// One light ray in the middle of a narrow frustum that spans exactly depth 0..1: u = x for the Euclidean
+/// metric.
 inline shadow::LightFrustum narrow() {
   shadow::LightFrustum f;
-  f.worldFromLight = dmat4(dvec4(0.2, 0, 0, 0), dvec4(0, 0, 0.2, 0), dvec4(0, -1, 0, 0), dvec4(-0.1, 0.5, -0.1, 1));
+  f.worldFromLight =
+      dmat4(dvec4(0.2, 0, 0, 0), dvec4(0, 0, 0.2, 0), dvec4(0, -1, 0, 0), dvec4(-0.1, 0.5, -0.1, 1));
   return f;
 }
 
-inline std::shared_ptr<const shadow::ShadowMap> buildIn(const shadow::ShadowSpec& spec, const volume::InstanceList& volumes, const shadow::LightFrustum& f) {
+inline std::shared_ptr<const shadow::ShadowMap> buildIn(const shadow::ShadowSpec& spec,
+                                                        const volume::InstanceList& volumes,
+                                                        const shadow::LightFrustum& f) {
   renderer();
   shadow::ShadowPass pass(spec, sunFrom(kUp), volumes, {}, &f);
   for (double done = 0; done < 1;) {
@@ -94,11 +104,13 @@ inline std::vector<vec3> downTheRay(int count) {
   return at;
 }
 
-inline double worstAgainstReference(const shadow::ShadowMap& map, const volume::InstanceList& volumes, const std::vector<vec3>& at) {
+inline double worstAgainstReference(const shadow::ShadowMap& map, const volume::InstanceList& volumes,
+                                    const std::vector<vec3>& at) {
   const auto tau = lookupTau(map, map.light, at);
   double worst = 0;
   for (std::size_t i = 0; i < at.size(); ++i)
-    worst = std::max(worst, std::abs(T(double(tau[i])) - T(shadow::opticalDepthToLight(volumes, map.light, dvec3(at[i])))));
+    worst = std::max(worst, std::abs(T(double(tau[i])) -
+                                     T(shadow::opticalDepthToLight(volumes, map.light, dvec3(at[i])))));
   return worst;
 }
 

@@ -42,7 +42,8 @@ fs::path scratchFolder() {
   return folder;
 }
 
-RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds, const std::vector<std::string>& environment) {
+RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds,
+              const std::vector<std::string>& environment) {
   int out[2], err[2];
   if (::pipe(out) != 0 || ::pipe(err) != 0) return {};
   const pid_t child = ::fork();
@@ -73,7 +74,8 @@ RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds, 
         if (fds[i].fd < 0 || !(fds[i].revents & (POLLIN | POLLHUP | POLLERR))) continue;
         char chunk[8192];
         const ssize_t n = ::read(fds[i].fd, chunk, sizeof chunk);
-        if (n > 0) sinks[i]->append(chunk, static_cast<std::size_t>(n));
+        if (n > 0)
+          sinks[i]->append(chunk, static_cast<std::size_t>(n));
         else if (n == 0) {
           ::close(fds[i].fd);
           fds[i].fd = -1;
@@ -93,7 +95,8 @@ RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds, 
   return result;
 }
 
-RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds, const std::vector<std::string>& environment) {
+RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds,
+                 const std::vector<std::string>& environment) {
   arguments.insert(arguments.begin(), PILEUS_BINARY);
   return run(arguments, timeoutSeconds, environment);
 }

@@ -16,15 +16,18 @@ std::optional<std::filesystem::path> dataFolder();
 std::filesystem::path scratchFolder();
 
 struct RunResult {
-  int exitCode = -1;      ///< 128 + signal if killed by one
+  int exitCode = -1;  ///< 128 + signal if killed by one
   std::string out, err;
 };
 /// Runs a program with a time limit (killed after it); environment entries "NAME=value" are added.
-RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds = 120, const std::vector<std::string>& environment = {});
+RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds = 120,
+              const std::vector<std::string>& environment = {});
 /// The same with the built pileus binary as program.
-RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds = 120, const std::vector<std::string>& environment = {});
+RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds = 120,
+                 const std::vector<std::string>& environment = {});
 
-/// While one lives, warnings and errors in the log are expected; otherwise each one fails the test it appears in.
+/// While one lives, warnings and errors in the log are expected; otherwise each one fails the test it appears
+/// in.
 struct ExpectLogged {
   ExpectLogged();
   ~ExpectLogged();

@@ -1,4 +1,5 @@
-// main() of every test: fails a test that logs an unexpected warning or error, and keeps caches out of the user's home.
+// main() of every test: fails a test that logs an unexpected warning or error, and keeps caches out of the
+// user's home.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -49,7 +50,8 @@ ExpectLogged::~ExpectLogged() {
 }  // namespace pileus::test
 
 int main(int argc, char** argv) {
-  if (pileusTestChild && argc > 1 && std::string_view(argv[1]) == "import") return pileusTestChild(argc, argv);
+  if (pileusTestChild && argc > 1 && std::string_view(argv[1]) == "import")
+    return pileusTestChild(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   if (!std::getenv("XDG_CACHE_HOME")) ::setenv("XDG_CACHE_HOME", pileus::test::scratchFolder().c_str(), 1);
   if (!std::getenv("XDG_CONFIG_HOME")) ::setenv("XDG_CONFIG_HOME", pileus::test::scratchFolder().c_str(), 1);

@@ -36,14 +36,21 @@ std::filesystem::path graphFile() {
   return path;
 }
 
-double number(const json& trace, const char* note) { return std::atof(trace["notes"].value(note, "-1").c_str()); }
+double number(const json& trace, const char* note) {
+  return std::atof(trace["notes"].value(note, "-1").c_str());
+}
 
 bool truthComplete(const json& t) { return t["notes"].value("compare progress", "") == "Truth complete"; }
 
 TEST(Compare, WipeHalvesAndErrorOfAWrongMap) {
   UiSession ui({1280, 720}, {graphFile().string()});
   ASSERT_TRUE(ui.running()) << ui.log();
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true && t["notes"].value("picture", "").ends_with("samples 4"); }, 60)) << ui.log();
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) {
+        return t["complete"] == true && t["notes"].value("picture", "").ends_with("samples 4");
+      },
+      60))
+      << ui.log();
   const std::string picture = ui.trace()["notes"]["picture"];
 
   ui.move(ui.center("viewport"));
@@ -91,7 +98,12 @@ TEST(Compare, WipeHalvesAndErrorOfAWrongMap) {
   ui.type("15");
   ui.key("Return");
   const double before = number(done, "compare shadow mean");
-  EXPECT_TRUE(ui.waitFor([&](const json& t) { return truthComplete(t) && number(t, "compare shadow mean") < 0.7 * before && number(t, "compare shadow mean") > 0; }, 120))
+  EXPECT_TRUE(ui.waitFor(
+      [&](const json& t) {
+        return truthComplete(t) && number(t, "compare shadow mean") < 0.7 * before &&
+               number(t, "compare shadow mean") > 0;
+      },
+      120))
       << ui.trace()["notes"];
 
   ui.move(ui.center("viewport"));
@@ -115,7 +127,8 @@ TEST(RayScope, PicksExplainsAndMutes) {
   // A click picks and leaves the camera alone; a drag still orbits.
   const json camera = ui.trace()["document"]["nodes"]["Camera"];
   const json view = ui.trace()["rects"]["viewport"];
-  const Point lower{0.5 * (view[0].get<double>() + view[2].get<double>()), view[1].get<double>() + 0.66 * (view[3].get<double>() - view[1].get<double>())};
+  const Point lower{0.5 * (view[0].get<double>() + view[2].get<double>()),
+                    view[1].get<double>() + 0.66 * (view[3].get<double>() - view[1].get<double>())};
   ui.click(lower);
   ASSERT_TRUE(ui.waitRect("scope/transmittance")) << ui.trace()["notes"];
   EXPECT_EQ(ui.trace()["document"]["nodes"]["Camera"], camera);
@@ -128,7 +141,9 @@ TEST(RayScope, PicksExplainsAndMutes) {
   EXPECT_NE(flags.find("Extinction is negative on"), std::string::npos) << flags;
 
   ui.move(ui.center("scope/transmittance"));
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("scope hover", "").find("by the map") != std::string::npos; }));
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["notes"].value("scope hover", "").find("by the map") != std::string::npos;
+  }));
   ui.screenshot("32-scope-hover");
   ui.click("scope/coefficient/1");
   ASSERT_TRUE(ui.waitRect("scope/unmute"));
@@ -148,10 +163,17 @@ TEST(Lab, TunesAndWritesIntoTheNodesAndComparesAll) {
   ui.move(ui.center("viewport"));
   ui.key("F7");
   ASSERT_TRUE(ui.waitRect("tune/run"));
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true && t["notes"].value("tune note", "").starts_with("Searches the parameters of Map"); }, 60)) << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) {
+        return t["complete"] == true &&
+               t["notes"].value("tune note", "").starts_with("Searches the parameters of Map");
+      },
+      60))
+      << ui.trace()["notes"];
   ui.screenshot("40-tune-before");
   ui.click("tune/run");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("tune head", "") == "Best"; }, 200)) << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("tune head", "") == "Best"; }, 200))
+      << ui.trace()["notes"];
   ui.screenshot("41-tune");
 
   // Any dot can be chosen; writing is one undo step.
@@ -159,27 +181,37 @@ TEST(Lab, TunesAndWritesIntoTheNodesAndComparesAll) {
   const json before = trace["document"]["nodes"]["Map"];
   const std::string best = trace["notes"]["tune what"];
   ui.click("tune/dot/1");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("tune head", "") == "Chosen"; })) << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("tune head", "") == "Chosen"; }))
+      << ui.trace()["notes"];
   ui.screenshot("42-tune-chosen");
   ui.click("tune/best");
   ASSERT_TRUE(ui.waitFor([&](const json& t) { return t["notes"].value("tune what", "") == best; }));
   ui.click("tune/write");
-  ASSERT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Map"] != before && t["undo"] == "Tune shadows"; })) << ui.trace()["message"];
+  ASSERT_TRUE(ui.waitFor([&](const json& t) {
+    return t["document"]["nodes"]["Map"] != before && t["undo"] == "Tune shadows";
+  })) << ui.trace()["message"];
   ui.move(ui.center("viewport"));
   ui.key("ctrl+z");
   EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Map"] == before; }));
 
   // The shoot-out fills its table while it runs, and can be stopped.
   ui.key("F6");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true && t["rects"].contains("shootout/run"); }, 60));
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["complete"] == true && t["rects"].contains("shootout/run"); }, 60));
   ui.click("shootout/run");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].value("shootout rows", "").find("Fourier opacity 11") != std::string::npos; }, 200)) << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) {
+        return t["notes"].value("shootout rows", "").find("Fourier opacity 11") != std::string::npos;
+      },
+      200))
+      << ui.trace()["notes"];
   ui.click("shootout/cancel");
   ASSERT_TRUE(ui.waitRect("shootout/run"));
   const auto rows = [&] { return ui.trace()["notes"].value("shootout rows", ""); };
   EXPECT_TRUE(rows().starts_with("Ray march\nFourier opacity 11\n")) << "least mean error first: " << rows();
   ui.click("shootout/column/2");
-  EXPECT_TRUE(ui.waitFor([&](const json&) { return rows().starts_with("Ray march\nFourier opacity 3\n"); })) << "and the largest: " << rows();
+  EXPECT_TRUE(ui.waitFor([&](const json&) { return rows().starts_with("Ray march\nFourier opacity 3\n"); }))
+      << "and the largest: " << rows();
   ui.screenshot("43-shootout");
   const json row = ui.trace()["rects"]["shootout/row/Fourier opacity 3"];
   ui.move({row[0].get<double>() + 40, row[1].get<double>() + 12});

@@ -1,5 +1,6 @@
 // Two thousand random events into the real window: it must stay alive, log no error, keep its memory and
-// answer afterwards. $PILEUS_RANDOM_SEED chooses others. Fewer under LeakSanitizer: it must have lost nothing.
+// answer afterwards. $PILEUS_RANDOM_SEED chooses others. Fewer under LeakSanitizer: it must have lost
+// nothing.
 #include <random>
 
 #include "nodes/serialize.h"
@@ -173,14 +174,16 @@ TEST(RandomInput, TwoThousandEvents) {
   EXPECT_TRUE(ui.waitFor([](const json& t) { return !t["document"]["nodes"].empty(); }));
 }
 
-/// The leaks of a report but those of libraries that were unloaded before it was made: the driver's. We unload none.
+/// The leaks of a report but those of libraries that were unloaded before it was made: the driver's. We
+/// unload none.
 std::string leaksOf(const std::string& report) {
   std::string ours;
   for (std::size_t at = report.find(" leak of "); at != std::string::npos;) {
     const std::size_t next = report.find(" leak of ", at + 1);
     const std::string leak = report.substr(at, next == std::string::npos ? next : next - at);
     const std::size_t caller = leak.find("#1 ");
-    const std::string line = caller == std::string::npos ? "" : leak.substr(caller, leak.find('\n', caller) - caller);
+    const std::string line =
+        caller == std::string::npos ? "" : leak.substr(caller, leak.find('\n', caller) - caller);
     if (line.find("<unknown module>") == std::string::npos) ours += leak;
     at = next;
   }
@@ -194,7 +197,8 @@ TEST(RandomInput, LosesNoMemory) {
   const fs::path folder = scratchFolder(), file = folder / "scene.json", report = folder / "leaks";
   std::ofstream(file) << kGraph;
   // What the driver's libraries keep for the life of the process.
-  std::ofstream(folder / "others") << "leak:swrast_dri\nleak:libLLVM\nleak:libGLX\nleak:libGLdispatch\nleak:libX11\n";
+  std::ofstream(folder / "others")
+      << "leak:swrast_dri\nleak:libLLVM\nleak:libGLX\nleak:libGLdispatch\nleak:libX11\n";
   UiSession ui({1100, 720}, {file.string()}, json::object(), {},
                {"LD_PRELOAD=" + sanitizer.string(), "LSAN_OPTIONS=exitcode=0:log_path=" + report.string() +
                                                         ":suppressions=" + (folder / "others").string()});

@@ -120,7 +120,8 @@ TEST(Session, OpenAddLinkDragUndoSaveExportQuit) {
   EXPECT_TRUE(ui.waitFor([&](const json&) { return elevation() == dragged; })) << elevation();
 
   // Orbiting edits the linked camera as one step.
-  const Point middle = ui.center("viewport"), view = {middle.x - 180, middle.y + 70};  // beside the sun's handles
+  const Point middle = ui.center("viewport"),
+              view = {middle.x - 180, middle.y + 70};  // beside the sun's handles
   const json undoCamera = ui.trace()["document"]["nodes"]["Camera"];
   ui.drag(view, {view.x + 60, view.y + 10});
   EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"]["Camera"] != undoCamera; }));

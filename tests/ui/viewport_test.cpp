@@ -139,7 +139,8 @@ TEST(Viewport, ChannelsLayersInspectorRegionAndStills) {
   ASSERT_TRUE(ui.waitRect("histogram", 5));
   const json rects = ui.trace()["rects"];
   const json legend = rects["false colour legend"], histogram = rects["histogram"];
-  EXPECT_TRUE(legend[3].get<double>() <= histogram[1].get<double>() || legend[2].get<double>() <= histogram[0].get<double>())
+  EXPECT_TRUE(legend[3].get<double>() <= histogram[1].get<double>() ||
+              legend[2].get<double>() <= histogram[0].get<double>())
       << "the legend " << legend.dump() << " stands on the histogram " << histogram.dump();
   ui.screenshot("65-false-colours-histogram-hud");
   for (const char* key : {"shift+f", "shift+p", "shift+i", "p"}) ui.key(key);

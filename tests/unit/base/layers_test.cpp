@@ -19,9 +19,15 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"renderer/volume", {"renderer/base", "renderer/scene"}},
     {"renderer/image", {"renderer/base", "renderer/scene"}},
     {"renderer/gl", {"renderer/base", "renderer/scene"}},
-    {"renderer/residency", {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl", "renderer/shaders"}},
-    {"renderer/shadow", {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl", "renderer/shaders", "renderer/residency"}},
-    {"renderer/view", {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl", "renderer/shaders", "renderer/residency", "renderer/shadow"}},
+    {"renderer/residency",
+     {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
+      "renderer/shaders"}},
+    {"renderer/shadow",
+     {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
+      "renderer/shaders", "renderer/residency"}},
+    {"renderer/view",
+     {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
+      "renderer/shaders", "renderer/residency", "renderer/shadow"}},
 };
 
 std::string layerOf(const std::string& path) {
@@ -59,7 +65,9 @@ TEST(Layers, EveryIncludeFollowsTheTable) {
 TEST(Layers, LibrariesStayInTheirPlace) {
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(PILEUS_SOURCE_DIR))) {
     const std::string path = fs::relative(entry.path(), PILEUS_SOURCE_DIR).generic_string();
-    if (path.rfind("build", 0) == 0 || (entry.path().extension() != ".h" && entry.path().extension() != ".cpp")) continue;
+    if (path.rfind("build", 0) == 0 ||
+        (entry.path().extension() != ".h" && entry.path().extension() != ".cpp"))
+      continue;
     const std::string layer = layerOf(path);
     std::ifstream in(entry.path());
     for (std::string line; std::getline(in, line);) {
@@ -69,10 +77,12 @@ TEST(Layers, LibrariesStayInTheirPlace) {
         EXPECT_TRUE(layer == "editor" || layer == "tests") << path << ": " << line;
       }
       if (has("<openvdb/")) {
-        EXPECT_TRUE((layer == "renderer/volume" && entry.path().extension() == ".cpp") || layer == "tests") << path << ": " << line;
+        EXPECT_TRUE((layer == "renderer/volume" && entry.path().extension() == ".cpp") || layer == "tests")
+            << path << ": " << line;
       }
       if (has("<nlohmann/json.hpp>")) {
-        EXPECT_TRUE(layer == "nodes" || layer.rfind("editor", 0) == 0 || layer == "tests") << path << ": " << line;
+        EXPECT_TRUE(layer == "nodes" || layer.rfind("editor", 0) == 0 || layer == "tests")
+            << path << ": " << line;
       }
       if (has("<CLI/")) {
         EXPECT_EQ(path, "editor/cli/cli.cpp");

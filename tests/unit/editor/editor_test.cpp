@@ -47,7 +47,8 @@ TEST(Actions, NoShortcutMeansTwoThingsInOnePanel) {
     if (panel == Panel::Global) continue;
     const auto global = seen.find({Panel::Global, code, ctrl, shift, alt});
     if (global == seen.end()) continue;
-    // Copy, cut and paste of what a panel shows go before those of the graph, and only those of the same name.
+    // Copy, cut and paste of what a panel shows go before those of the graph, and only those of the same
+    // name.
     EXPECT_EQ(id.substr(id.find('.')), global->second.substr(global->second.find('.')))
         << shortcutText({code, ctrl, shift, alt}) << " of " << id << " hides " << global->second;
   }

@@ -14,7 +14,7 @@ Theme scaled(float scale) {
   return theme;
 }
 
-constexpr Panel kAll[] = {Panel::Viewport, Panel::Graph,    Panel::Parameters, Panel::Scope,
+constexpr Panel kAll[] = {Panel::Viewport, Panel::Graph, Panel::Parameters, Panel::Scope,
                           Panel::Lab,      Panel::Log,   Panel::Timeline};
 
 PanelLayout everything() {

@@ -299,7 +299,8 @@ TEST_F(Progressive, KeysHoldOnlyWhatATypeUses) {
   };
   EXPECT_EQ(changedBy([&] { settings.frame = 2; }), "frame ");
   EXPECT_EQ(changedBy([&] { settings.size = {10, 10}; }), "size ");
-  EXPECT_EQ(changedBy([&] { settings.quality = Quality::Draft; }), "") << "what is there in full serves a draft";
+  EXPECT_EQ(changedBy([&] { settings.quality = Quality::Draft; }), "")
+      << "what is there in full serves a draft";
   EXPECT_EQ(changedBy([&] { evaluator.clear(); }), "quality ");
   EXPECT_EQ(changedBy([&] { settings.freeCamera = scene::Camera{}; }), "free ");
   EXPECT_EQ(changedBy([&] { settings.freeCamera->fov = 20; }), "free ");

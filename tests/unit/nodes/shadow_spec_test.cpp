@@ -14,7 +14,9 @@ using Kind = ShadowSpec::Kind;
 Graph lit(const std::string& type) {
   Graph g;
   const auto add = [&](const char* id, const char* name) { g = addNode(g, id, {0, 0}, name).value(); };
-  const auto link = [&](const char* from, const char* out, const char* to, const char* in) { g = connect(g, {from, out, to, in}).value(); };
+  const auto link = [&](const char* from, const char* out, const char* to, const char* in) {
+    g = connect(g, {from, out, to, in}).value();
+  };
   add("volume.box", "Box");
   add("light.sun", "Sun");
   add("render.volume", "Render");
@@ -38,17 +40,25 @@ ShadowSpec unusual(Kind kind) {
   s.kind = kind;
   switch (kind) {
     case Kind::Extinction:
-      s.metric = {shadow::Metric::Interval, 8, 6, 512, shadow::Storage::Half, shadow::Coverage::Boxes, shadow::Weighting::Root, 6.0, true};
-      s.extinction = {shadow::Basis::Piecewise, 24, 512, shadow::Storage::Half, shadow::Accumulation::Splat, true};
+      s.metric = {shadow::Metric::Interval, 8,   6,   512, shadow::Storage::Half, shadow::Coverage::Boxes,
+                  shadow::Weighting::Root,  6.0, true};
+      s.extinction = {shadow::Basis::Piecewise,    24,  512, shadow::Storage::Half,
+                      shadow::Accumulation::Splat, true};
       break;
     case Kind::FourierOpacity:
-      s.coefficients = 11, s.range = true, s.damping = true, s.storage = shadow::Storage::Float, s.resolution = 256;
+      s.coefficients = 11, s.range = true, s.damping = true, s.storage = shadow::Storage::Float,
+      s.resolution = 256;
       break;
     case Kind::TransmittanceFunction:
-      s.coefficients = 15, s.basis = shadow::Basis::Cosine, s.storage = shadow::Storage::Float, s.resolution = 256;
+      s.coefficients = 15, s.basis = shadow::Basis::Cosine, s.storage = shadow::Storage::Float,
+      s.resolution = 256;
       break;
-    case Kind::Deep: s.errorBound = 0.004, s.nodeBudget = 32, s.filter = 2, s.resolution = 256; break;
-    case Kind::RayMarch: s.stepScale = 0.25; break;
+    case Kind::Deep:
+      s.errorBound = 0.004, s.nodeBudget = 32, s.filter = 2, s.resolution = 256;
+      break;
+    case Kind::RayMarch:
+      s.stepScale = 0.25;
+      break;
   }
   return s;
 }
@@ -89,7 +99,8 @@ TEST(ShadowSpecNodes, ADefaultNodeIsADefaultSpec) {
     expected.kind = kind;
     if (kind == Kind::Extinction) {  // the node comes with what a spec leaves out to be small
       const NodeType& metric = *findNodeType("shadow.pseudometric");
-      expected.metric.weighting = *enumFromId<shadow::Weighting>(std::get<std::string>(metric.param("weighting")->fallback));
+      expected.metric.weighting =
+          *enumFromId<shadow::Weighting>(std::get<std::string>(metric.param("weighting")->fallback));
       expected.metric.horizon = std::get<double>(metric.param("horizon")->fallback);
     }
     EXPECT_EQ(readShadow(lit(type), "Shadow")->spec, expected) << type;
@@ -133,7 +144,8 @@ TEST(ShadowSpecNodes, RefusesAnotherKindAndValuesOutOfRange) {
   const auto refused = writeShadow(graph, shadow, spec);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, Code::Arguments);
-  EXPECT_NE(refused.error().message.find("Shadow.coefficients"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("Shadow.coefficients"), std::string::npos)
+      << refused.error().message;
 }
 
 }  // namespace

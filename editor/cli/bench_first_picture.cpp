@@ -9,8 +9,8 @@
 
 #include "editor/cli/bench_tables.h"
 #include "embedded_presets.h"
-#include "nodes/evaluator.h"
-#include "nodes/serialize.h"
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 #include "renderer/base/profile.h"
 #include "renderer/image/color.h"

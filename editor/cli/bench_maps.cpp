@@ -2,7 +2,7 @@
 
 #include "editor/cli/bench_tables.h"
 #include "editor/cli/map_measures.h"
-#include "renderer/view/shadow_samples.h"
+#include "renderer/truth/shadow_samples.h"
 
 namespace pileus::cli {
 

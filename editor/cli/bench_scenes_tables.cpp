@@ -6,7 +6,7 @@
 #include "renderer/base/profile.h"
 #include "renderer/image/metrics.h"
 #include "renderer/shadow/shadow_pass.h"
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 #include "renderer/view/volume_render.h"
 
 namespace pileus::cli {

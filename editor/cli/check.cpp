@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "nodes/flatten.h"
+#include "nodes/evaluate/flatten.h"
 
 namespace pileus::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 
 namespace pileus::cli {
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "nodes/graph.h"
+#include "nodes/graph/graph.h"
 #include "renderer/image/color.h"
 
 namespace pileus::cli {

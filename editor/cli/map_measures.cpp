@@ -5,7 +5,7 @@
 #include <random>
 
 #include "renderer/shadow/reference.h"
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 
 namespace pileus::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "nodes/docs_export.h"
+#include "nodes/file/docs_export.h"
 
 namespace pileus::cli {
 

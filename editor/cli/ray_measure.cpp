@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "editor/cli/ray_families.h"
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 
 namespace pileus::cli {
 namespace {

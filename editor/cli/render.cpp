@@ -12,9 +12,9 @@
 #include <fmt/ranges.h>
 
 #include "editor/cli/graph_file.h"
-#include "nodes/evaluator.h"
-#include "nodes/picture_layers.h"
-#include "nodes/still_metadata.h"
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/evaluate/picture_layers.h"
+#include "nodes/file/still_metadata.h"
 #include "renderer/base/file.h"
 #include "renderer/gl/context.h"
 #include "renderer/image/color.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "editor/cli/graph_file.h"
-#include "nodes/evaluator.h"
+#include "nodes/evaluate/evaluator.h"
 #include "renderer/view/picture.h"
 
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "nodes/graph.h"
+#include "nodes/graph/graph.h"
 #include "renderer/gl/context.h"
 #include "renderer/view/render_scene.h"
 #include "renderer/view/renderer.h"

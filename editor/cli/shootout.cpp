@@ -8,7 +8,7 @@
 #include "renderer/base/file.h"
 #include "renderer/base/profile.h"
 #include "renderer/image/png.h"
-#include "renderer/view/contact_sheet.h"
+#include "renderer/truth/contact_sheet.h"
 
 namespace fs = std::filesystem;
 

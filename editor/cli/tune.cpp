@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "editor/cli/scene_file.h"
-#include "nodes/serialize.h"
-#include "nodes/shadow_groups.h"
+#include "nodes/file/serialize.h"
+#include "nodes/shadows/shadow_groups.h"
 #include "renderer/base/profile.h"
 #include "renderer/shadow/shadow_map.h"
 

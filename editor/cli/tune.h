@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "renderer/view/tune.h"
+#include "renderer/truth/tune.h"
 
 namespace pileus::cli {
 

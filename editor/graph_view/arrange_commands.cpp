@@ -1,7 +1,7 @@
 #include "editor/graph_view/arrange_commands.h"
 
-#include "editor/editor.h"
-#include "editor/graph_view/layout_cache.h"
+#include "editor/app/editor.h"
+#include "editor/graph_view/layout/layout_cache.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // Tidying the selected nodes, each as one step of undo.
-#include "editor/graph_view/arrange.h"
+#include "editor/graph_view/layout/arrange.h"
 
 namespace pileus::editor {
 

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/actions.h"
-#include "editor/editor.h"
+#include "editor/app/editor.h"
+#include "editor/commands/actions.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/canvas_draw.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/drag_feedback.h"
 #include "editor/graph_view/draw_frame.h"
-#include "editor/graph_view/hit_test.h"
+#include "editor/graph_view/layout/hit_test.h"
 #include "editor/graph_view/link_gestures.h"
 #include "editor/graph_view/scopes.h"
 

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "editor/graph_view/canvas_overlays.h"
-#include "editor/graph_view/find_nodes.h"
 #include "editor/graph_view/interaction.h"
-#include "editor/graph_view/layout_cache.h"
+#include "editor/graph_view/layout/layout_cache.h"
 #include "editor/graph_view/minimap.h"
 #include "editor/graph_view/move_gesture.h"
-#include "editor/graph_view/node_search.h"
+#include "editor/graph_view/search/find_nodes.h"
+#include "editor/graph_view/search/node_search.h"
 #include "editor/graph_view/thumbnails.h"
-#include "editor/viewed_node.h"
+#include "editor/picture/viewed_node.h"
 
 namespace pileus::editor {
 

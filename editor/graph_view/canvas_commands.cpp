@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_menus.h"
 #include "editor/graph_view/frames.h"
-#include "editor/graph_view/hit_test.h"
+#include "editor/graph_view/layout/hit_test.h"
+#include "editor/graph_view/layout/path_geometry.h"
 #include "editor/graph_view/link_gestures.h"
 #include "editor/graph_view/move_gesture.h"
-#include "editor/graph_view/path_geometry.h"
 #include "editor/graph_view/scopes.h"
 
 namespace pileus::editor {

@@ -2,7 +2,7 @@
 // Carries out what the canvas's state machine decides, and the graph actions of menus and keys.
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/interaction.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

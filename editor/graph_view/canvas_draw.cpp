@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_overlays.h"
 #include "editor/graph_view/drag_feedback.h"
 #include "editor/graph_view/draw_link.h"
@@ -12,8 +12,8 @@
 #include "editor/graph_view/node_status.h"
 #include "editor/graph_view/scopes.h"
 #include "editor/graph_view/thumbnails.h"
-#include "editor/panels/viewport_camera.h"
-#include "editor/widgets.h"
+#include "editor/picture/shown_camera.h"
+#include "editor/toolkit/widgets.h"
 #include "renderer/base/profile.h"
 
 namespace pileus::editor {

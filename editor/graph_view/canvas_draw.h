@@ -2,7 +2,7 @@
 // Draws what the canvas shows: grid, links, nodes, and words where there is nothing to show.
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/interaction.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

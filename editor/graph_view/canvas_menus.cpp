@@ -4,14 +4,14 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // MenuItemEx, BeginMenuEx: rows with icons
 
-#include "editor/actions.h"
-#include "editor/bookmarks.h"
-#include "editor/editor.h"
+#include "editor/app/editor.h"
+#include "editor/commands/actions.h"
+#include "editor/graph_view/bookmarks.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/frames.h"
 #include "editor/graph_view/node_colors.h"
 #include "editor/graph_view/scopes.h"
-#include "editor/icons.h"
+#include "editor/toolkit/icons.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,11 +1,11 @@
 #include "editor/graph_view/canvas_overlays.h"
 
-#include "editor/editor.h"
-#include "editor/files.h"
+#include "editor/app/editor.h"
+#include "editor/document/files.h"
 #include "editor/graph_view/node_footer.h"
 #include "editor/graph_view/node_status.h"
 #include "editor/graph_view/scopes.h"
-#include "editor/icons.h"
+#include "editor/toolkit/icons.h"
 
 namespace pileus::editor {
 namespace {

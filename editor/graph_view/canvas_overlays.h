@@ -4,7 +4,7 @@
 #include <string>
 
 #include "editor/graph_view/canvas_view.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

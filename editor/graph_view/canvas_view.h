@@ -2,7 +2,7 @@
 // The canvas as it is on the screen this frame: the map between canvas units and pixels, and where to draw.
 #include <imgui.h>
 
-#include "editor/theme.h"
+#include "editor/toolkit/theme.h"
 #include "renderer/base/math.h"
 
 namespace pileus::editor {

@@ -1,10 +1,10 @@
 // Copies of nodes: through the system's clipboard as JSON text, or beside the originals.
 #include <imgui.h>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_commands.h"
-#include "nodes/graph_edits.h"
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/graph_edits.h"
 
 namespace pileus::editor {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/draw_link.h"
+#include "editor/graph_view/layout/path_geometry.h"
 #include "editor/graph_view/link_gestures.h"
-#include "editor/graph_view/path_geometry.h"
-#include "editor/widgets.h"
+#include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
 namespace {

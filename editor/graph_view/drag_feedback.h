@@ -2,7 +2,7 @@
 // What a gesture under way shows on the canvas: the loose link, the box, the line and what it would do.
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/interaction.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

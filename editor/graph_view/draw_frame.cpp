@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/frames.h"
 #include "editor/graph_view/node_colors.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Draws the links of the canvas and the one being dragged.
 #include "editor/graph_view/canvas_view.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

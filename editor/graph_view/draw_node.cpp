@@ -6,7 +6,7 @@
 #include "editor/graph_view/draw_sockets.h"
 #include "editor/graph_view/node_colors.h"
 #include "editor/graph_view/node_footer.h"
-#include "editor/icons.h"
+#include "editor/toolkit/icons.h"
 
 namespace pileus::editor {
 namespace {

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "editor/graph_view/canvas_view.h"
-#include "editor/graph_view/layout.h"
-#include "nodes/evaluator.h"
+#include "editor/graph_view/layout/layout.h"
+#include "nodes/evaluate/evaluator.h"
 
 namespace pileus::editor {
 

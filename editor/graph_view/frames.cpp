@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_view.h"
-#include "nodes/graph_frames.h"
+#include "nodes/graph/graph_frames.h"
 
 namespace pileus::editor {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "nodes/graph.h"
+#include "nodes/graph/graph.h"
 
 namespace pileus::editor {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/draw_link.h"
-#include "editor/graph_view/path_geometry.h"
-#include "nodes/graph_edits.h"
-#include "nodes/graph_sockets.h"
+#include "editor/graph_view/layout/path_geometry.h"
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_sockets.h"
 
 namespace pileus::editor {
 namespace {

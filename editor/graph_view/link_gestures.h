@@ -5,7 +5,7 @@
 
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/interaction.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

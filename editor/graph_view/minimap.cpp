@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/draw_frame.h"
 #include "editor/graph_view/draw_node.h"
-#include "editor/icons.h"
+#include "editor/toolkit/icons.h"
 
 namespace pileus::editor {
 namespace {

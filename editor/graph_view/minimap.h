@@ -2,7 +2,7 @@
 // The whole graph in a corner of the canvas: the shown part is a rectangle that can be dragged, a click goes
 // there. Not shown where all nodes are in view or the panel is small, nor over nodes that are selected.
 #include "editor/graph_view/canvas_view.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

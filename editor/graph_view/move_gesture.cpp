@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/frames.h"
-#include "editor/graph_view/path_geometry.h"
-#include "nodes/graph_edits.h"
-#include "nodes/graph_frames.h"
+#include "editor/graph_view/layout/path_geometry.h"
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_frames.h"
 
 namespace pileus::editor {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "editor/graph_view/interaction.h"
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 namespace pileus::editor {
 

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "editor/theme.h"
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <deque>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/node_status.h"
-#include "editor/icons.h"
+#include "editor/toolkit/icons.h"
 
 namespace pileus::editor {
 namespace {

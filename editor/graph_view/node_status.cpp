@@ -1,6 +1,6 @@
 #include "editor/graph_view/node_status.h"
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 
 namespace pileus::editor {
 

@@ -2,7 +2,7 @@
 // What the evaluator knows about nodes of the graph on the canvas, which may be inside groups.
 #include <string>
 
-#include "nodes/evaluator.h"
+#include "nodes/evaluate/evaluator.h"
 
 namespace pileus::editor {
 

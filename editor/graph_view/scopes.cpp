@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
-#include "nodes/graph_groups.h"
+#include "editor/app/editor.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/frames.h"
-#include "nodes/graph_edits.h"
+#include "nodes/graph/graph_edits.h"
 
 namespace pileus::editor {
 namespace {

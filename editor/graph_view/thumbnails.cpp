@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/node_status.h"
-#include "editor/panels/viewport_bar.h"
+#include "editor/viewport/viewport_bar.h"
 #include "renderer/shadow/shadow_map.h"
 #include "renderer/view/map_thumbnail.h"
 #include "renderer/view/picture.h"

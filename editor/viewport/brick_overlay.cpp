@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_view.h"
 
 namespace pileus::editor {

@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "editor/actions.h"
-#include "editor/camera_control.h"
-#include "editor/editor.h"
+#include "editor/app/editor.h"
+#include "editor/commands/actions.h"
 #include "editor/graph_view/canvas_view.h"
-#include "editor/icons.h"
-#include "editor/panels/viewport_camera.h"
-#include "editor/viewport/shadow_place.h"
-#include "editor/widgets.h"
+#include "editor/picture/camera_control.h"
+#include "editor/picture/shadow_place.h"
+#include "editor/picture/shown_camera.h"
+#include "editor/toolkit/icons.h"
+#include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // The little controls over the picture: tools on the left, the axis cross on the right, hints below.
-#include "editor/panels/viewport.h"
+#include "editor/viewport/viewport.h"
 #include "editor/viewport/viewport_tools.h"
 
 namespace pileus::editor {

@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/camera_control.h"
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_view.h"
-#include "editor/panels/viewport_camera.h"
+#include "editor/picture/camera_control.h"
+#include "editor/picture/shadow_place.h"
+#include "editor/picture/shown_camera.h"
 #include "editor/viewport/corner_widgets.h"
-#include "editor/viewport/gizmo_tool.h"
+#include "editor/viewport/handles/gizmo_tool.h"
 #include "editor/viewport/overlays.h"
-#include "editor/viewport/shadow_place.h"
 #include "renderer/view/visible_point.h"
 
 namespace pileus::editor {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/graph_view/canvas_view.h"
-#include "editor/icons.h"
+#include "editor/toolkit/icons.h"
 #include "editor/viewport/brick_overlay.h"
 
 namespace pileus::editor {

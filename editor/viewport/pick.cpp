@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "editor/editor.h"
+#include "editor/app/editor.h"
 #include "editor/viewport/viewport_tools.h"
 #include "renderer/view/visible_point.h"
 

@@ -4,8 +4,8 @@
 #include <deque>
 #include <set>
 
-#include "editor/editor.h"
-#include "editor/panels/viewport_camera.h"
+#include "editor/app/editor.h"
+#include "editor/picture/shown_camera.h"
 
 namespace pileus::editor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/viewport/gizmo_target.h"
+#include "editor/viewport/handles/gizmo_target.h"
 #include "renderer/scene/solid.h"
 #include "renderer/volume/instance.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "editor/viewport/gizmo.h"
+#include "editor/viewport/handles/gizmo.h"
 #include "editor/viewport/view_scene.h"
 
 namespace pileus::editor {

@@ -1,5 +1,5 @@
 // camera.perspective: a pinhole camera.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // dot: a bend in a link.
-#include "nodes/structure.h"
+#include "nodes/declare/structure.h"
 
 namespace pileus::nodes {
 

@@ -1,5 +1,5 @@
 // group: a graph within the graph.
-#include "nodes/structure.h"
+#include "nodes/declare/structure.h"
 
 namespace pileus::nodes {
 

@@ -1,5 +1,5 @@
 // group.input: an input of the group it stands in.
-#include "nodes/structure.h"
+#include "nodes/declare/structure.h"
 
 namespace pileus::nodes {
 

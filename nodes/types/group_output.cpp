@@ -1,5 +1,5 @@
 // group.output: an output of the group it stands in.
-#include "nodes/structure.h"
+#include "nodes/declare/structure.h"
 
 namespace pileus::nodes {
 

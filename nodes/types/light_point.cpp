@@ -1,5 +1,5 @@
 // light.point: a small light that shines evenly in all directions.
-#include "nodes/light_common.h"
+#include "nodes/types/light_common.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // light.sun: a distant light.
-#include "nodes/light_common.h"
+#include "nodes/types/light_common.h"
 
 namespace pileus::nodes {
 namespace {

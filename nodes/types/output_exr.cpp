@@ -1,5 +1,5 @@
 // output.exr: a still or sequence on disk.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 #include "renderer/image/exr.h"
 
 namespace pileus::nodes {

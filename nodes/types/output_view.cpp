@@ -1,5 +1,5 @@
 // output.view: what the viewport shows.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

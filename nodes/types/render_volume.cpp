@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 #include "renderer/view/renderer.h"
 #include "renderer/view/volume_render.h"
 

@@ -1,6 +1,6 @@
 // shadow.deep: compressed piecewise-linear transmittance.
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 
 namespace pileus::nodes {
 namespace {

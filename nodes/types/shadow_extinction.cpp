@@ -1,6 +1,6 @@
 // shadow.extinction: extinction along each light ray, projected on a small basis.
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 #include "renderer/shadow/extinction_map.h"
 #include "renderer/view/renderer.h"
 

@@ -1,6 +1,6 @@
 // shadow.fourier_opacity: the classic series over the whole light ray.
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 
 namespace pileus::nodes {
 namespace {

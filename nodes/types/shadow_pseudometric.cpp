@@ -1,6 +1,6 @@
 // shadow.pseudometric: how far each light ray is through the media.
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 #include "renderer/shadow/pseudometric_map.h"
 #include "renderer/view/renderer.h"
 

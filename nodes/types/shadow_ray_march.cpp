@@ -1,6 +1,6 @@
 // shadow.ray_march: brute force, the comparison.
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,6 +1,6 @@
 // shadow.transmittance_function: transmittance itself as a series.
-#include "nodes/describe.h"
-#include "nodes/shadow_common.h"
+#include "nodes/declare/describe.h"
+#include "nodes/types/shadow_common.h"
 
 namespace pileus::nodes {
 namespace {

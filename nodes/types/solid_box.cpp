@@ -1,5 +1,5 @@
 // solid.box: an opaque box.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // solid.plane: an opaque rectangle.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

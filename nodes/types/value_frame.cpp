@@ -1,5 +1,5 @@
 // value.frame: the time, for parameters that move.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // value.math: arithmetic on numbers.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

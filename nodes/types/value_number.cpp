@@ -1,5 +1,5 @@
 // value.number: one number for many parameters.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // value.vector: three numbers for many parameters.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

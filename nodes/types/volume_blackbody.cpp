@@ -1,7 +1,7 @@
 // volume.blackbody: fire, a volume that glows as hot as its values say.
 #include <algorithm>
 
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 #include "renderer/volume/emission.h"
 #include "renderer/volume/fire_fit.h"
 

@@ -1,5 +1,5 @@
 // volume.box: an exactly uniform box, never voxelised.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

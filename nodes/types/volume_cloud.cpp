@@ -1,5 +1,5 @@
 // volume.cloud: a procedural field of cumulus, baked coarse to fine by jobs.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 #include "renderer/base/jobs.h"
 #include "renderer/volume/procedural.h"
 

@@ -1,5 +1,5 @@
 // volume.medium: what density means optically.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

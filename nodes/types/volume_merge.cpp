@@ -1,5 +1,5 @@
 // volume.merge: many volumes as one list.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

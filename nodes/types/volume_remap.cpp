@@ -1,7 +1,7 @@
 // volume.remap: another density and colour for each density of a volume.
 #include <algorithm>
 
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // volume.sphere: an exactly uniform ball, never voxelised.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // volume.transform: moves, turns and scales whole volumes about the origin.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,5 +1,5 @@
 // volume.vdb_file: one grid of an OpenVDB file, read by a job.
-#include "nodes/describe.h"
+#include "nodes/declare/describe.h"
 #include "renderer/base/jobs.h"
 #include "renderer/volume/autofit.h"
 #include "renderer/volume/grid_guess.h"

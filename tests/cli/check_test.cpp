@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "nodes/docs_export.h"
+#include "nodes/file/docs_export.h"
 #include "tests/support/support.h"
 
 namespace pileus {

@@ -1,7 +1,7 @@
 // Every preset loads without faults, has a picture in the gallery and renders to something finite.
 #include <cmath>
 
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 #include "renderer/image/exr.h"
 #include "renderer/image/png.h"

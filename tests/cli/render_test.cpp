@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "editor/cli/render.h"
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 #include "renderer/image/exr.h"
 #include "tests/support/support.h"

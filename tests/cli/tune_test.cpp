@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "editor/cli/scene_file.h"
-#include "nodes/serialize.h"
-#include "nodes/shadow_spec_nodes.h"
+#include "nodes/file/serialize.h"
+#include "nodes/shadows/shadow_spec_nodes.h"
 #include "renderer/base/file.h"
 #include "renderer/shadow/shadow_map.h"
-#include "renderer/view/shadow_measure.h"
+#include "renderer/truth/shadow_measure.h"
 #include "tests/cli/shadow_graphs.h"
 
 namespace pileus {

@@ -1,13 +1,13 @@
 // The comparison with marched truth: nothing where there is nothing, and a wrong map's error as a CPU adds it
 // up.
-#include "renderer/view/compare.h"
+#include "renderer/truth/compare.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "renderer/shadow/reference.h"
 #include "renderer/shadow/shadow_pass.h"
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 #include "tests/support/gpu.h"
 
 namespace pileus {

@@ -4,8 +4,8 @@
 
 #include "renderer/residency/volume_set.h"
 #include "renderer/shadow/reference.h"
-#include "renderer/view/compare.h"
-#include "renderer/view/shadow_error.h"
+#include "renderer/truth/compare.h"
+#include "renderer/truth/shadow_error.h"
 #include "renderer/volume/emission.h"
 #include "tests/support/lit.h"
 #include "tests/support/noise_grid.h"

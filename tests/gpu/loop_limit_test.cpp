@@ -6,8 +6,8 @@
 #include "renderer/shadow/metric.h"
 #include "renderer/shadow/reference.h"
 #include "renderer/shadow/shadow_pass.h"
-#include "renderer/view/compare.h"
-#include "renderer/view/shadow_error.h"
+#include "renderer/truth/compare.h"
+#include "renderer/truth/shadow_error.h"
 #include "renderer/volume/brick_builder.h"
 #include "tests/support/lit.h"
 

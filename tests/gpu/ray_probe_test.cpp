@@ -1,6 +1,6 @@
 // The ray probe: exact where there is an exact answer, the map's own texel on the CPU as on the GPU, and its
 // flags in words.
-#include "renderer/view/ray_probe.h"
+#include "renderer/truth/ray_probe.h"
 
 #include <algorithm>
 #include <cmath>

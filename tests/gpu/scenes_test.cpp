@@ -2,7 +2,7 @@
 #include "editor/cli/bench_scenes.h"
 #include "renderer/image/metrics.h"
 #include "renderer/shadow/shadow_pass.h"
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 #include "tests/support/gpu.h"
 
 namespace pileus {

@@ -1,6 +1,6 @@
 // The points shadows are judged at, and the judgement: against closed forms, the march and maps that are
 // wrong on purpose.
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "renderer/view/shadow_probe.h"
+#include "renderer/truth/shadow_probe.h"
 
 namespace pileus::test {
 namespace {

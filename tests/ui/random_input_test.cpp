@@ -3,7 +3,7 @@
 // nothing.
 #include <random>
 
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {

@@ -1,5 +1,5 @@
 // The editor in a real window with real input: a whole session, and what must never happen in one.
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 #include "renderer/image/exr.h"
 #include "renderer/image/metrics.h"
 #include "tests/ui/ui_session.h"

@@ -1,6 +1,6 @@
 // The first minutes and the safety of work in a real window: start view, tour, volumes that become clouds,
 // saving, and what is left after a kill.
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {

@@ -1,4 +1,4 @@
-#include "editor/graph_view/arrange.h"
+#include "editor/graph_view/layout/arrange.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "editor/graph_view/frames.h"
-#include "editor/graph_view/hit_test.h"
+#include "editor/graph_view/layout/hit_test.h"
 #include "editor/graph_view/move_gesture.h"
 #include "editor/graph_view/node_colors.h"
-#include "editor/settings.h"
-#include "editor/viewed_node.h"
+#include "editor/picture/viewed_node.h"
+#include "editor/preferences/settings.h"
 
 namespace pileus::editor {
 namespace {

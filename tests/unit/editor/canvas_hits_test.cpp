@@ -1,9 +1,9 @@
 // What of the canvas is under a point, and what a line across it meets.
-#include "editor/graph_view/hit_test.h"
+#include "editor/graph_view/layout/hit_test.h"
 
 #include <gtest/gtest.h>
 
-#include "editor/graph_view/path_geometry.h"
+#include "editor/graph_view/layout/path_geometry.h"
 
 namespace pileus::editor {
 namespace {

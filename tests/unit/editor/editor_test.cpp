@@ -5,11 +5,11 @@
 #include <set>
 #include <tuple>
 
-#include "editor/actions.h"
-#include "editor/camera_control.h"
-#include "editor/menu.h"
-#include "editor/panels/number_field.h"
-#include "editor/settings.h"
+#include "editor/commands/actions.h"
+#include "editor/commands/menu.h"
+#include "editor/picture/camera_control.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/number_field.h"
 #include "tests/support/support.h"
 
 namespace pileus::editor {

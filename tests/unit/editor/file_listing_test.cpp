@@ -1,5 +1,5 @@
 // Lists of files: kinds, filter, sequences, order, and completion of typed paths.
-#include "editor/file_listing.h"
+#include "editor/toolkit/file_listing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "editor/graph_view/find_matches.h"
+#include "editor/graph_view/search/find_matches.h"
 
 #include <gtest/gtest.h>
 
-#include "nodes/graph_animation.h"
-#include "nodes/graph_groups.h"
+#include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 namespace {

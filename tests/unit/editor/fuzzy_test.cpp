@@ -1,8 +1,8 @@
-#include "editor/graph_view/fuzzy.h"
+#include "editor/graph_view/search/fuzzy.h"
 
 #include <gtest/gtest.h>
 
-#include "editor/graph_view/node_search.h"
+#include "editor/graph_view/search/node_search.h"
 
 namespace pileus::editor {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "editor/camera_control.h"
-#include "editor/viewport/gizmo.h"
-#include "editor/viewport/navigation_preset.h"
-#include "nodes/graph_animation.h"
+#include "editor/picture/camera_control.h"
+#include "editor/preferences/navigation_preset.h"
+#include "editor/viewport/handles/gizmo.h"
+#include "nodes/graph/graph_animation.h"
 
 namespace pileus::editor {
 namespace {

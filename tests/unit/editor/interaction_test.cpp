@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "editor/graph_view/hit_test.h"
-#include "editor/graph_view/path_geometry.h"
+#include "editor/graph_view/layout/hit_test.h"
+#include "editor/graph_view/layout/path_geometry.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,9 +1,9 @@
-#include "editor/graph_view/layout.h"
+#include "editor/graph_view/layout/layout.h"
 
 #include <gtest/gtest.h>
 
-#include "nodes/graph_animation.h"
-#include "nodes/graph_edits.h"
+#include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_edits.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,8 +1,8 @@
 // Steps of numbers and the hue of colours.
 #include <gtest/gtest.h>
 
-#include "editor/panels/hsv.h"
-#include "editor/panels/number_drag.h"
+#include "editor/toolkit/hsv.h"
+#include "editor/toolkit/number_drag.h"
 
 namespace pileus::editor {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "editor/panels/number_text.h"
+#include "editor/toolkit/number_text.h"
 
 namespace pileus::editor {
 namespace {

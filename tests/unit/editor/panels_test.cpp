@@ -1,9 +1,9 @@
 // The window divided among its panels, and layouts that are kept.
 #include <gtest/gtest.h>
 
-#include "editor/messages.h"
-#include "editor/panels/panel_areas.h"
-#include "editor/settings.h"
+#include "editor/app/panel_areas.h"
+#include "editor/exchange/messages.h"
+#include "editor/preferences/settings.h"
 
 namespace pileus::editor {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "editor/draft_pace.h"
-#include "editor/panels/pixel_probe.h"
+#include "editor/picture/draft_pace.h"
+#include "editor/viewport/pixel_probe.h"
 #include "renderer/view/picture_scan.h"
 
 namespace pileus::editor {

@@ -1,4 +1,4 @@
-#include "editor/recovery.h"
+#include "editor/document/recovery.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <thread>
 
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 #include "tests/support/support.h"
 

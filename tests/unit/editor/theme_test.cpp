@@ -1,5 +1,5 @@
 // Both themes can be read: every pair of ink and ground that the interface draws.
-#include "editor/theme.h"
+#include "editor/toolkit/theme.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <sstream>
 #include <vector>
 
-#include "editor/icon_ranges.h"
-#include "editor/keyboard.h"
+#include "editor/commands/keyboard.h"
+#include "editor/toolkit/icon_ranges.h"
 #include "tests/support/support.h"
 
 namespace pileus::editor {
@@ -23,7 +23,7 @@ struct Color {
 };
 #define COLOR(name, dark, light) {#name, &palette::name},
 const Color kAll[] = {
-#include "editor/palette.inc"
+#include "editor/toolkit/palette.inc"
 };
 #undef COLOR
 

@@ -1,5 +1,5 @@
 // The timeline's arithmetic: ticks, frames and pixels, picking keys, and the clock that drops frames.
-#include "editor/timeline.h"
+#include "editor/time/timeline.h"
 
 #include <gtest/gtest.h>
 

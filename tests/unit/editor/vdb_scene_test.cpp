@@ -1,15 +1,15 @@
-#include "editor/vdb_scene.h"
+#include "editor/document/vdb_scene.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
 
 #include <fstream>
 
-#include "editor/crash_log.h"
-#include "editor/drops.h"
-#include "editor/graph_pictures.h"
-#include "nodes/document.h"
-#include "nodes/serialize.h"
+#include "editor/app/crash_log.h"
+#include "editor/document/drops.h"
+#include "editor/document/graph_pictures.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/document.h"
 #include "renderer/image/exr.h"
 #include "renderer/volume/vdb_child.h"
 #include "tests/support/support.h"

@@ -1,8 +1,8 @@
 // volume.blackbody: what becomes of volumes.
 #include <gtest/gtest.h>
 
-#include "nodes/eval_context.h"
-#include "nodes/graph.h"
+#include "nodes/declare/eval_context.h"
+#include "nodes/graph/graph.h"
 #include "renderer/scene/black_body.h"
 #include "tests/support/noise_grid.h"
 

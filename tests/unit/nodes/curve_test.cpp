@@ -1,15 +1,15 @@
 // Curves and ramps as parameter values: what they are at a position, what is refused, files and texts.
-#include "nodes/curve.h"
+#include "nodes/declare/curve.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "nodes/graph.h"
-#include "nodes/graph_animation.h"
-#include "nodes/graph_edits.h"
-#include "nodes/graph_sockets.h"
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/graph.h"
+#include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_sockets.h"
 
 namespace pileus::nodes {
 namespace {

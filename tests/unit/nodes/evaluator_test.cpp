@@ -4,8 +4,8 @@
 #include <fstream>
 #include <limits>
 
-#include "nodes/evaluator.h"
-#include "nodes/serialize.h"
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/file/serialize.h"
 #include "tests/support/support.h"
 
 namespace pileus::nodes {

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "nodes/document.h"
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/document.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,13 +1,13 @@
 // Groups: making, entering, saving and evaluating them; values linked to parameters.
 #include <gtest/gtest.h>
 
-#include "nodes/document.h"
-#include "nodes/evaluator.h"
-#include "nodes/flatten.h"
-#include "nodes/graph_edits.h"
-#include "nodes/graph_groups.h"
-#include "nodes/graph_sockets.h"
-#include "nodes/serialize.h"
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/evaluate/flatten.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/document.h"
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_groups.h"
+#include "nodes/graph/graph_sockets.h"
 
 namespace pileus::nodes {
 namespace {

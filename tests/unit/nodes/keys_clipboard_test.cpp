@@ -1,7 +1,7 @@
 // Keys of animated parameters as text, and back at another frame or on another node.
 #include <gtest/gtest.h>
 
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
 
 namespace pileus::nodes {
 namespace {

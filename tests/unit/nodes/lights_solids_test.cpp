@@ -1,8 +1,8 @@
 // The light and solid nodes: what their parameters mean.
 #include <gtest/gtest.h>
 
-#include "nodes/evaluator.h"
-#include "nodes/serialize.h"
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/file/serialize.h"
 
 namespace pileus::nodes {
 namespace {

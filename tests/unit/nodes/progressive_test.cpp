@@ -4,8 +4,8 @@
 #include <limits>
 #include <thread>
 
-#include "nodes/describe.h"
-#include "nodes/evaluator.h"
+#include "nodes/declare/describe.h"
+#include "nodes/evaluate/evaluator.h"
 
 namespace pileus::nodes {
 namespace {

@@ -4,14 +4,14 @@
 
 #include <random>
 
-#include "nodes/document.h"
-#include "nodes/flatten.h"
-#include "nodes/graph_animation.h"
-#include "nodes/graph_edits.h"
-#include "nodes/graph_frames.h"
-#include "nodes/graph_groups.h"
-#include "nodes/graph_sockets.h"
-#include "nodes/serialize.h"
+#include "nodes/evaluate/flatten.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/document.h"
+#include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_frames.h"
+#include "nodes/graph/graph_groups.h"
+#include "nodes/graph/graph_sockets.h"
 
 namespace pileus::nodes {
 namespace {

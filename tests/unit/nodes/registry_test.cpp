@@ -5,9 +5,9 @@
 #include <set>
 #include <sstream>
 
-#include "nodes/animation.h"
-#include "nodes/describe.h"
-#include "nodes/docs_export.h"
+#include "nodes/declare/describe.h"
+#include "nodes/file/docs_export.h"
+#include "nodes/graph/animation.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,10 +1,10 @@
 // volume.remap: what becomes of volumes, and when nothing does.
 #include <gtest/gtest.h>
 
-#include "nodes/eval_context.h"
-#include "nodes/evaluator.h"
-#include "nodes/graph.h"
-#include "nodes/serialize.h"
+#include "nodes/declare/eval_context.h"
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/graph.h"
 #include "tests/support/noise_grid.h"
 
 namespace pileus::nodes {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "nodes/migrations.h"
-#include "nodes/serialize.h"
+#include "nodes/file/migrations.h"
+#include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 #include "tests/support/support.h"
 

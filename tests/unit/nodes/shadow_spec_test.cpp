@@ -1,8 +1,8 @@
 // Shadow nodes read as a spec and written back.
 #include <gtest/gtest.h>
 
-#include "nodes/serialize.h"
-#include "nodes/shadow_spec_nodes.h"
+#include "nodes/file/serialize.h"
+#include "nodes/shadows/shadow_spec_nodes.h"
 
 namespace pileus::nodes {
 namespace {

@@ -1,11 +1,11 @@
 // Sockets of every kind of node, and the edits of links, selections, frames and keys.
 #include <gtest/gtest.h>
 
-#include "nodes/graph_animation.h"
-#include "nodes/graph_edits.h"
-#include "nodes/graph_frames.h"
-#include "nodes/graph_sockets.h"
-#include "nodes/serialize.h"
+#include "nodes/file/serialize.h"
+#include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_frames.h"
+#include "nodes/graph/graph_sockets.h"
 
 namespace pileus::nodes {
 namespace {

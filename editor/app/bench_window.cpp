@@ -1,0 +1,158 @@
+#include "editor/app/bench_window.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include "editor/app/app.h"
+#include "editor/app/editor.h"
+#include "editor/cli/big_graph.h"
+#include "renderer/base/file.h"
+#include "renderer/base/log.h"
+
+namespace pileus::editor {
+namespace {
+
+constexpr int kFrames = 60, kDragSteps = 16;
+constexpr double kRestSeconds = 5;
+
+using Kind = InputEvent::Kind;
+
+struct Costs {
+  double uiMs = 0, frameMs = 0;  ///< medians
+};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Draws until nothing more will come, `seconds` at most.
+void settle(Editor& editor, double seconds) {
+  const Stopwatch clock;
+  for (int frames = 0; clock.ms() < 1e3 * seconds && (frames < kSettlingFrames || !editor.preview.settled());
+       ++frames) {
+    int settling = kSettlingFrames;  // never sleeps here
+    runFrame(editor, settling);
+  }
+}
+
+bool middleOf(const Editor& editor, const char* name, dvec2& at) {
+  const std::vector<float>* r = editor.trace.find(name);
+  if (r) at = {0.5F * ((*r)[0] + (*r)[2]), 0.5F * ((*r)[1] + (*r)[3])};
+  return r != nullptr;
+}
+
+/// Frames while the pointer wanders over the canvas.
+Costs wander(Editor& editor) {
+  dvec2 middle{640, 500};
+  middleOf(editor, "canvas", middle);
+  editor.trace.collect(false);
+  std::vector<double> ui, frame;
+  int settling = kSettlingFrames;
+  for (int i = 0; i < kFrames; ++i) {
+    editor.window->push({Kind::Move, middle + dvec2(7 * (i % 30) - 100, 3 * (i % 20) - 30)});
+    runFrame(editor, settling);
+    ui.push_back(editor.uiMs);
+    frame.push_back(editor.frameMs);
+  }
+  editor.trace.collect(true);
+  return {median(ui), median(frame)};
+}
+
+int canvasRow(int nodes, double fps) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("pileus-bench-" + std::to_string(nodes) + ".json");
+  if (!writeFileAtomic(file, cli::bigGraph(nodes))) return 1;
+  const int code = withEditor({file}, [&](Editor& editor) {
+    editor.trace.collect(true);
+    settle(editor, 60);
+    editor.canvas.frameAll = true;
+    settle(editor, 5);
+    const Costs costs = wander(editor);
+    std::printf("| interface with %d nodes in view, CPU time | %.2f ms a frame | %s |\n", nodes, costs.uiMs,
+                nodes == 500 ? "4 ms" : "");
+    std::printf("| whole frames with %d nodes in view | %.0f a second | %.0f |\n", nodes, 1e3 / costs.frameMs,
+                fps);
+  });
+  std::error_code ec;
+  std::filesystem::remove(file, ec);
+  return code;
+}
+
+/// From a move of the pointer on a slider to the swap of a frame with a picture of the new value.
+std::vector<double> dragTimes(Editor& editor, dvec2 at) {
+  std::vector<double> times;
+  int settling = kSettlingFrames;
+  editor.window->push({Kind::Move, at});
+  runFrame(editor, settling);
+  editor.window->push({Kind::Button, at, 0, true});
+  runFrame(editor, settling);
+  for (int i = 1; i <= kDragSteps; ++i) {
+    const auto before = editor.preview.picture();
+    const std::uint64_t revision = editor.document.revision();
+    editor.window->push({Kind::Move, at + dvec2(4 * i, 0)});
+    const Stopwatch clock;
+    while (clock.ms() < 3000 &&
+           (editor.preview.picture() == before || editor.document.revision() == revision)) {
+      settling = kSettlingFrames;
+      runFrame(editor, settling);
+    }
+    times.push_back(clock.ms());
+  }
+  editor.window->push({Kind::Button, at + dvec2(4 * kDragSteps, 0), 0, false});
+  runFrame(editor, settling);
+  return times;
+}
+
+/// Share of one processor while nothing happens.
+double restShare(Editor& editor) {
+  int settling = 0;
+  const Stopwatch clock;
+  const CpuStopwatch cpu;
+  std::thread alarm([] {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kRestSeconds));
+    Window::wake();
+  });
+  while (clock.ms() < 1e3 * kRestSeconds) runFrame(editor, settling);
+  const double share = cpu.ms() / clock.ms();
+  alarm.join();
+  return share;
+}
+
+int defaultRows() {
+  bool measured = false;
+  const int code = withEditor({}, [&](Editor& editor) {
+    editor.trace.collect(true);
+    settle(editor, 120);
+    editor.document.select({"Sun"});
+    settle(editor, 5);
+    dvec2 at;
+    if (!middleOf(editor, "param/elevation", at)) {
+      log::error("bench: the default preset has no Sun.elevation in view");
+      return;
+    }
+    const std::vector<double> times = dragTimes(editor, at);
+    std::printf("| slider drag to new picture, default preset | %.0f ms (worst %.0f) | 100 ms |\n",
+                median(times), *std::max_element(times.begin(), times.end()));
+    settle(editor, 120);
+    std::printf("| processor at rest | %.1f %% | 3 %% |\n", 100 * restShare(editor));
+    measured = true;
+  });
+  return code == 0 && !measured ? static_cast<int>(Code::Internal) : code;
+}
+
+}  // namespace
+
+int benchWindow() {
+  std::printf("| what | measured | bound |\n|---|---|---|\n");
+  int code = canvasRow(40, 60);
+  if (code == 0) code = canvasRow(500, 30);
+  if (code == 0) code = defaultRows();
+  return code;
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,197 @@
+#include "editor/dialogs/dialogs.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "editor/app/editor.h"
+#include "editor/document/files.h"
+#include "editor/toolkit/icons.h"
+
+namespace pileus::editor {
+namespace {
+
+/// Opens when `wanted` and draws a centred modal; call endModal() when it returns true.
+bool beginModal(const Editor& editor, const char* title, bool wanted, float width) {
+  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.46f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(editor.theme.px(width), display.x - editor.theme.space(4)), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {editor.theme.space(5), editor.theme.space(4)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, editor.theme.px(8));
+  const bool open = ImGui::BeginPopupModal(
+      title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove);
+  ImGui::PopStyleVar(2);
+  return open;
+}
+
+void heading(const Editor& editor, const char* text) {
+  ImGui::PushFont(editor.theme.title);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+  ImGui::Dummy({0, editor.theme.px(2)});
+}
+
+bool button(Editor& editor, const char* label, const char* trace, bool primary = false) {
+  if (primary) {
+    ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
+  }
+  const bool pressed = ImGui::Button(label, {editor.theme.px(124), 0});
+  if (primary) ImGui::PopStyleColor(2);
+  editor.trace.item(std::string("dialog/") + trace);
+  return pressed;
+}
+
+bool pressedEnter() {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::IsWindowAppearing();
+}
+bool pressedEscape() {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ImGui::IsWindowAppearing();
+}
+
+void drawUnsaved(Editor& editor) {
+  Dialogs& d = editor.dialogs;
+  if (!beginModal(editor, "Unsaved changes", static_cast<bool>(d.afterUnsaved), 460)) return;
+  heading(editor, ("Save changes to " + documentName(editor) + "?").c_str());
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted("What you changed since it was last saved is lost otherwise.");
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0, editor.theme.space(2)});
+  const auto close = [&] {
+    ImGui::CloseCurrentPopup();
+    return std::exchange(d.afterUnsaved, nullptr);
+  };
+  if (button(editor, "Save", "save", true) || pressedEnter()) save(editor, close());
+  ImGui::SameLine();
+  if (button(editor, "Discard", "discard")) close()(editor);
+  ImGui::SameLine();
+  if (button(editor, "Cancel", "cancel") || pressedEscape()) close();
+  ImGui::EndPopup();
+}
+
+void drawFaults(Editor& editor) {
+  Dialogs& d = editor.dialogs;
+  if (!beginModal(editor, "Faults", !d.faults.empty(), 640)) return;
+  heading(editor, (d.faultsOf + " was opened with some faults").c_str());
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(
+      "What could not be understood is kept as far as possible and written back when you save.");
+  ImGui::PopTextWrapPos();
+  ImGui::BeginChild(
+      "list", {0, editor.theme.px(std::min(260.0f, 30.0f + 26.0f * static_cast<float>(d.faults.size())))},
+      true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  for (const nodes::Fault& f : d.faults) {
+    ImGui::PushStyleColor(ImGuiCol_Text, f.error ? palette::kError : palette::kWarning);
+    ImGui::TextUnformatted(f.error ? icon::kError : icon::kWarning);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, editor.theme.space(2));
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted((f.where.empty() ? f.text : f.where + ": " + f.text).c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::EndChild();
+  if (button(editor, "Close", "close", true) || pressedEnter() || pressedEscape()) {
+    d.faults.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void drawError(Editor& editor) {
+  Dialogs& d = editor.dialogs;
+  if (!beginModal(editor, "Error", !d.errorText.empty(), 520)) return;
+  heading(editor, d.errorTitle.c_str());
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(d.errorText.c_str());
+  ImGui::PopTextWrapPos();
+  editor.trace.note("dialog error", d.errorText);
+  ImGui::Dummy({0, editor.theme.space(2)});
+  if (button(editor, "Close", "close", true) || pressedEnter() || pressedEscape()) {
+    d.errorText.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void drawShortcuts(Editor& editor) {
+  Dialogs& d = editor.dialogs;
+  const float room = (ImGui::GetIO().DisplaySize.x - editor.theme.space(10)) / editor.theme.scale;
+  if (!beginModal(editor, "Shortcuts", d.shortcuts, std::min(1120.0f, room))) return;
+  heading(editor, "Keyboard and mouse");
+  drawShortcutSheet(editor);
+  ImGui::Dummy({0, editor.theme.space(1)});
+  if (button(editor, "Close", "close", true) || pressedEnter() || pressedEscape()) {
+    d.shortcuts = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+struct Fact {
+  const char* what;
+  std::string value;
+};
+
+std::vector<Fact> facts(const Editor& editor) {
+  const gl::DeviceInfo& device = editor.renderer->device();
+  const ivec2 size = editor.window->size();
+  return {{"Version", PILEUS_VERSION},
+          {"Graphics", device.renderer + (device.software ? " (software)" : "")},
+          {"Driver", device.vendor + ", OpenGL " + device.version},
+          {"Window", fmt::format("{} x {} at {:.0f} %, GLFW {}", size.x, size.y, editor.theme.scale * 100,
+                                 Window::systemVersion())},
+          {"Interface", std::string("Dear ImGui ") + ImGui::GetVersion()},
+          {"Textures", fmt::format("{} in 2D, {} in 3D, {} layers", device.maxTextureSize,
+                                   device.max3dTextureSize, device.maxArrayLayers)}};
+}
+
+void drawAbout(Editor& editor) {
+  Dialogs& d = editor.dialogs;
+  const Theme& theme = editor.theme;
+  if (!beginModal(editor, "About", d.about, 560)) return;
+  heading(editor, "Pileus");
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted("A node-graph editor for volumetric lighting.");
+  ImGui::Dummy({0, theme.space(1)});
+  const std::vector<Fact> all = facts(editor);
+  for (const Fact& f : all) {
+    ImGui::TextDisabled("%s", f.what);
+    ImGui::SameLine(theme.px(120));
+    ImGui::TextUnformatted(f.value.c_str());
+  }
+  ImGui::Dummy({0, theme.space(1)});
+  ImGui::PushFont(theme.small);
+  ImGui::TextDisabled(
+      "Licensed under the Apache License 2.0. Fonts: Inter and JetBrains Mono, Fork Awesome (SIL Open Font "
+      "License 1.1).");
+  ImGui::PopFont();
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0, theme.space(2)});
+  if (button(editor, "Close", "close", true) || pressedEnter() || pressedEscape()) {
+    d.about = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::SameLine();
+  if (button(editor, "Copy", "copy")) {
+    std::string text = "Pileus\n";
+    for (const Fact& f : all) text += std::string(f.what) + ": " + f.value + "\n";
+    ImGui::SetClipboardText(text.c_str());
+    editor.messages.note("Copied: for a bug report, say.");
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void drawDialogs(Editor& editor) {
+  drawUnsaved(editor);
+  drawFaults(editor);
+  drawError(editor);
+  drawShortcuts(editor);
+  drawAbout(editor);
+  if (!editor.dialogs.afterUnsaved) drawQuestions(editor);
+}
+
+}  // namespace pileus::editor

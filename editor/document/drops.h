@@ -1,0 +1,50 @@
+#pragma once
+// Files that come in from outside: dropped on the window, named on the command line or chosen for import. A
+// job reads them; then a graph is opened or merged, a volume becomes a lit cloud, a still gives back its
+// graph.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nodes/graph/graph.h"
+#include "renderer/base/jobs.h"
+#include "renderer/volume/vdb_fit.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+enum class DropKind { Graph, Volume, Still, Environment, Unknown };
+/// By the ending, whatever its case.
+DropKind dropKind(const std::filesystem::path& path);
+/// Why a file of no use was not taken, and what can be done instead.
+std::string whyNotDropped(const std::filesystem::path& path, DropKind kind);
+
+/// What was read of dropped files, away from the UI thread.
+struct DropContent {
+  std::vector<std::filesystem::path> graphs;
+  std::vector<volume::VdbFit> volumes;
+  std::vector<std::pair<std::filesystem::path, std::string>> stills;  ///< with the graph's text they carry
+  std::vector<std::string> refusals;                                  ///< one sentence a file
+};
+DropContent readDrops(const std::vector<std::filesystem::path>& paths, JobControl& control);
+
+class Drops {
+ public:
+  /// Any number of files, at any time; those that come while others are read wait.
+  void take(std::vector<std::filesystem::path> paths);
+  bool reading() const { return job_ != nullptr; }
+  /// Once a frame: starts reading, and does what was read.
+  void step(Editor& editor);
+
+ private:
+  std::vector<std::filesystem::path> waiting_;
+  std::unique_ptr<Job<DropContent>> job_;
+};
+
+/// File > Import VDB...
+void askImportVdb(Editor& editor);
+
+}  // namespace pileus::editor

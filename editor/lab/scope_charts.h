@@ -1,0 +1,22 @@
+#pragma once
+// The charts of the ray scope, one below the other.
+#include "editor/lab/ray_scope.h"
+#include "editor/toolkit/plot.h"
+
+namespace pileus::editor {
+
+/// Rows that share the panel's height, design pixels at 1; a chart takes its place from the top.
+struct ChartSpace {
+  float left = 0, right = 0;  ///< pixels of the panel's inner edges
+  float y = 0;                ///< next free pixel
+  float unit = 1;             ///< pixels of one share of the height that is left to charts
+};
+
+void drawTransmittance(Editor& editor, ChartSpace& space);  ///< with the volumes' bars and g below it
+void drawExtinction(Editor& editor, ChartSpace& space);
+/// Coefficients to mute, or a deep map's vertices in words.
+void drawCoefficients(Editor& editor, ChartSpace& space);
+/// Pixels that all of it takes besides the shared height.
+float chartOverhead(const Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,31 @@
+#pragma once
+// One parameter as a row: socket mark, "modified" dot, label, the widget its type asks for, and key mark.
+#include <imgui.h>
+
+#include <string>
+
+#include "editor/parameters/param_edit.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+void drawParamRow(Editor& editor, const ParamTarget& target);
+
+/// Where the parts of a row are.
+struct RowFrame {
+  ImVec2 at;                    ///< top left
+  float height = 0, label = 0;  ///< of a line; where the label begins, from the left
+  float widget = 0, width = 0;  ///< where the widget begins, and its width
+  bool stacked = false;         ///< the widget is below the label
+};
+/// `wide` widgets go below their label where the panel is narrow, those of `below` always.
+RowFrame rowFrame(const Editor& editor, bool wide, bool below = false);
+/// The label in its place; true if it does not fit.
+bool rowLabel(const Editor& editor, const RowFrame& frame, const std::string& label, bool strong);
+/// Moves to where the widget goes.
+void toWidget(const RowFrame& frame);
+/// The reason why the last text typed into the row `key` was not taken, below it.
+void drawRefusal(Editor& editor, const std::string& key);
+
+}  // namespace pileus::editor

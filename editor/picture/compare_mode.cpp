@@ -1,0 +1,123 @@
+#include "editor/picture/compare_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/app/editor.h"
+
+namespace pileus::editor {
+namespace {
+
+/// A CPU marches some 10,000 pixels of truth while one waits; a GPU all of them.
+constexpr double kCoarsePixels = 10000;
+/// The small comparison runs beside the picture's refinement, the large one after it.
+constexpr double kCoarseSamples = 1;
+
+bool whole(const view::ComparePass* pass, CompareOf of) {
+  return pass && (of == CompareOf::Radiance ? pass->pictureWhole() : pass->shadowWhole());
+}
+
+view::RenderScene reduced(const Editor& editor, const view::RenderScene& scene) {
+  view::RenderScene out = scene;
+  const double pixels = static_cast<double>(scene.options.size.x) * scene.options.size.y;
+  const int by = editor.renderer->device().software
+                     ? std::max(2, static_cast<int>(std::lround(std::sqrt(pixels / kCoarsePixels))))
+                     : 2;
+  out.options.size = glm::max(scene.options.size / by, ivec2(1));
+  out.options.samples = static_cast<int>(kCoarseSamples);
+  return out;
+}
+
+void forget(CompareMode& mode) {
+  mode.scene.reset();
+  mode.coarse.reset();
+  mode.fine.reset();
+  mode.error.clear();
+}
+
+/// 1, 2 or 5 times a power of ten, at least `value`.
+double niceAbove(double value) {
+  if (!(value > 0)) return 0;
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 5.0, 10.0})
+    if (step * decade >= value * 0.999) return step * decade;
+  return 10 * decade;
+}
+
+void toggleLayout(Editor& editor, CompareLayout layout) {
+  CompareMode& mode = editor.compare;
+  if (mode.on && mode.layout == layout) return toggleCompare(editor);
+  mode.layout = layout;
+  if (!mode.on) toggleCompare(editor);
+}
+
+bool hasShadow(const view::RenderScene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const auto& l) { return l.shadow != nullptr; });
+}
+
+}  // namespace
+
+const view::ComparePass* CompareMode::shown() const {
+  if (whole(fine.get(), of)) return fine.get();
+  return whole(coarse.get(), of) ? coarse.get() : nullptr;
+}
+
+const view::ComparePass* CompareMode::measured() const {
+  if (fine && fine->pictureWhole() && fine->shadowWhole()) return fine.get();
+  return coarse && coarse->pictureWhole() ? coarse.get() : nullptr;
+}
+
+void followPicture(Editor& editor) {
+  CompareMode& mode = editor.compare;
+  const auto& picture = editor.preview.picture();
+  if (!mode.on || !picture || !picture->scene) return forget(mode);
+  // A draft has maps of its own, which say nothing about the final ones.
+  if (editor.preview.draft() || picture->scene == mode.scene) return;
+  forget(mode);
+  mode.scene = picture->scene;
+  if (!hasShadow(*mode.scene)) {
+    mode.error = "No light of this picture has a shadow to compare.";
+    return;
+  }
+  mode.coarse = std::make_unique<view::ComparePass>(reduced(editor, *mode.scene));
+}
+
+bool compareWantsFrame(const Editor& editor) {
+  const CompareMode& mode = editor.compare;
+  if (!mode.on || !mode.error.empty() || !mode.coarse || editor.preview.draft() || editor.preview.paused())
+    return false;
+  if (mode.coarse->fraction() < 1) return true;
+  return editor.preview.settled() && (!mode.fine || mode.fine->fraction() < 1);
+}
+
+void stepCompare(Editor& editor, double ms) {
+  CompareMode& mode = editor.compare;
+  if (!compareWantsFrame(editor)) return;
+  const bool small = mode.coarse->fraction() < 1;
+  if (!small && !mode.fine) mode.fine = std::make_unique<view::ComparePass>(*mode.scene);
+  view::ComparePass& pass = small ? *mode.coarse : *mode.fine;
+  if (const Result<double> done = pass.step(editor.renderer->gpu(), ms); !done) {
+    mode.error = done.error().message;
+    editor.messages.error("Cannot compare: " + mode.error);
+    return;
+  }
+  if (mode.autoScale)
+    if (const view::ComparePass* m = mode.measured())
+      if (const double nice = niceAbove(m->figures().radiance.p95); nice > 0) mode.radianceScale = nice;
+}
+
+double compareFraction(const CompareMode& mode) {
+  if (!mode.coarse) return 0;
+  return 0.1 * mode.coarse->fraction() + 0.9 * (mode.fine ? mode.fine->fraction() : 0);
+}
+
+void toggleCompare(Editor& editor) {
+  editor.compare.on = !editor.compare.on;
+  editor.messages.note(editor.compare.on ? "Comparing with marched shadows" : "Comparison ended");
+}
+
+void toggleWipe(Editor& editor) { toggleLayout(editor, CompareLayout::Wipe); }
+void toggleError(Editor& editor) { toggleLayout(editor, CompareLayout::Error); }
+
+}  // namespace pileus::editor

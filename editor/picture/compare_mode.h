@@ -1,0 +1,76 @@
+#pragma once
+// The viewport's compare mode: the picture with the graph's shadows against the same picture with marched
+// ones. The truth is first made small, then at the picture's own size, while nothing else is to be done. GL
+// thread.
+#include <array>
+#include <memory>
+#include <string>
+
+#include "renderer/base/enum_info.h"
+#include "renderer/truth/compare.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+/// How the two sides are laid out.
+enum class CompareLayout { Wipe, SideBySide, Error };
+constexpr auto enumInfo(CompareLayout*) {
+  using L = CompareLayout;
+  return std::array{
+      EnumItem<L>{L::Wipe, "wipe", "Wipe",
+                  "The picture left of a line, the truth right of it. Drag the line."},
+      EnumItem<L>{L::SideBySide, "side_by_side", "Side by side", "The picture left, the truth right."},
+      EnumItem<L>{L::Error, "error", "Error", "Where it is too dark (blue) and where light leaks (red)."}};
+}
+
+/// What is compared.
+enum class CompareOf { Radiance, Shadow };
+constexpr auto enumInfo(CompareOf*) {
+  using C = CompareOf;
+  return std::array{
+      EnumItem<C>{C::Radiance, "radiance", "Radiance", "The light that reaches the camera."},
+      EnumItem<C>{C::Shadow, "shadow", "Shadow",
+                  "Transmittance T between light and medium, averaged over what a pixel sees."}};
+}
+
+struct CompareMode {
+  bool on = false;
+  CompareLayout layout = CompareLayout::Wipe;
+  CompareOf of = CompareOf::Radiance;
+  bool worst = false;  ///< Error of Shadow: the largest along a ray, not the mean
+  double wipe = 0.5;   ///< of the picture's width
+  bool draggingWipe = false;
+  double shadowScale = 0.1;    ///< |dT| at the ends of the colours
+  double radianceScale = 0.1;  ///< the same for radiance; follows the picture while `autoScale`
+  bool autoScale = true;
+
+  std::shared_ptr<const view::RenderScene> scene;  ///< what the passes below compare
+  std::unique_ptr<view::ComparePass> coarse, fine;
+  std::string error;
+
+  view::CompareDisplay display;
+
+  /// What there is to show: the fine pass once it has a whole picture of what is asked for, else the coarse
+  /// one; null while neither has.
+  const view::ComparePass* shown() const;
+  /// The scene of a pass with every figure, else the best there is; null before the first.
+  const view::ComparePass* measured() const;
+};
+
+/// Follows the picture: starts over when it shows something else, drops everything where there is nothing to
+/// compare or the mode is off. Call once a frame.
+void followPicture(Editor& editor);
+/// Is there work that can be done now?
+bool compareWantsFrame(const Editor& editor);
+/// About `ms` milliseconds of it.
+void stepCompare(Editor& editor, double ms);
+/// 0..1 of the final comparison.
+double compareFraction(const CompareMode& mode);
+
+void toggleCompare(Editor& editor);
+/// Into that layout, and out of compare mode from there.
+void toggleWipe(Editor& editor);
+void toggleError(Editor& editor);
+
+}  // namespace pileus::editor

@@ -1,0 +1,156 @@
+#include "editor/picture/preview.h"
+
+#include <algorithm>
+
+#include "editor/picture/viewed_node.h"
+
+#include "renderer/view/picture.h"
+#include "renderer/view/renderer.h"
+
+namespace pileus::editor {
+namespace {
+
+constexpr double kBudgetMs = 30;
+constexpr double kDraftBudgetMs = 60;     // a draft is worth a longer frame, of its target at least
+constexpr double kDraftPatienceMs = 400;  // then a newer request replaces an unfinished draft
+
+bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
+  return a.revision == b.revision && a.view == b.view && a.size == b.size && a.freeCamera == b.freeCamera &&
+         a.folder == b.folder && a.frame == b.frame && a.layer == b.layer && a.region == b.region;
+}
+
+bool makesPictures(const nodes::Node& node) {
+  const nodes::NodeType* type = nodes::findNodeType(node.type);
+  return type && (type->uses & nodes::UsesLayers);
+}
+
+}  // namespace
+
+Preview::Preview(view::Renderer* renderer)
+    : evaluator_(renderer), pace_(!renderer || renderer->device().software) {}
+
+bool Preview::wantsFrame() const {
+  if (current_.view.empty()) return false;
+  if (touched_ || (currentIsDraft_ && complete_)) return true;
+  return !complete_ && !paused_ && !report_.waitingForJobs;
+}
+
+void Preview::begin(const PreviewRequest& wanted, bool draft) {
+  if (wanted.view != current_.view) forgetPicture();
+  current_ = wanted;
+  draftPixels_ = pace_.pixels(), draftTexels_ = pace_.texels();
+  stepsMs_ = 0;
+  evaluations_.clear();
+  for (const auto& [name, node] : current_.graph.nodes)
+    evaluations_[name] = evaluator_.status(name).evaluations;
+  currentIsDraft_ = draft;
+  fresh_ = false;
+  complete_ = false;
+  report_ = {};
+  draftAge_.restart();
+}
+
+void Preview::step(const PreviewRequest& wanted) {
+  const Stopwatch clock;
+  const bool changed = fresh_ || !sameRequest(wanted, current_);
+  if (touched_ && !interacting()) touched_ = false;
+  if (changed) {
+    paused_ = false;
+    // An unfinished draft is finished first, unless it takes too long: otherwise a steady drag would never
+    // show anything.
+    const bool finishFirst = currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs &&
+                             wanted.view == current_.view && draftAge_.ms() < kDraftPatienceMs;
+    if (!finishFirst) begin(wanted, !fast_ || fresh_);
+  } else if (currentIsDraft_ && complete_ && !interacting()) {
+    begin(wanted, false);
+  }
+  lastStepMs_ = 0;
+  if (current_.view.empty() || current_.size.x < 1 || current_.size.y < 1) {
+    if (!complete_) ++answered_;
+    complete_ = true;
+    error_.clear();
+    forgetPicture();
+    return;
+  }
+  if (complete_ || (paused_ && !currentIsDraft_)) return;
+
+  nodes::EvalSettings settings;
+  settings.size = current_.size;
+  settings.quality = currentIsDraft_ ? nodes::Quality::Draft : nodes::Quality::Final;
+  settings.freeCamera = current_.freeCamera;
+  settings.folder = current_.folder;
+  settings.budgetMs = currentIsDraft_ ? std::max(kDraftBudgetMs, current_.draftMs) : kBudgetMs;
+  settings.frame = current_.frame;
+  settings.layer = current_.layer;
+  settings.region = current_.region;
+  settings.draftPixels = draftPixels_;
+  settings.draftTexels = draftTexels_;
+  settings.seed = seed();
+  const bool first = report_.fraction == 0;
+  report_ = evaluator_.evaluate(current_.graph, {current_.view}, settings);
+  complete_ = report_.complete;
+  if (complete_) ++answered_;
+  lastStepMs_ = clock.ms();
+  stepsMs_ += lastStepMs_;
+  if (!currentIsDraft_ && complete_) fast_ = first && lastStepMs_ < kBudgetMs;
+
+  error_.clear();
+  const nodes::NodeStatus& status = evaluator_.status(current_.view);
+  if (status.state == nodes::NodeState::Failed || status.state == nodes::NodeState::Skipped) {
+    error_ = status.error.message;
+    // What failed upstream says more than that this was skipped.
+    for (const auto& [name, node] : current_.graph.nodes)
+      if (evaluator_.status(name).state == nodes::NodeState::Failed)
+        error_ = evaluator_.status(name).error.message;
+  }
+  takePicture(currentIsDraft_);
+  if (currentIsDraft_ && complete_ && error_.empty()) learnPace();
+}
+
+/// What a new picture shows where it is not made yet: the draft of itself, and around a region the last whole
+/// one.
+std::shared_ptr<const view::Picture> Preview::seed() const {
+  return current_.region.whole() || !whole_ ? picture_ : whole_;
+}
+
+/// Only what this draft made anew counts: results at hand cost nothing.
+void Preview::learnPace() {
+  DraftTimes times{stepsMs_, 0, 0};
+  bool waited = false;
+  for (const auto& [name, node] : current_.graph.nodes) {
+    const nodes::NodeStatus& status = evaluator_.status(name);
+    if (status.evaluations == evaluations_[name]) continue;
+    (makesPictures(*node) ? times.picture : times.maps) += status.cpuMs;
+    waited = waited || status.evaluations > evaluations_[name] + 8;
+  }
+  if (times.picture <= 0 || !picture_) return;
+  draftTimes_ = times;
+  const dvec2 part = current_.region.max - current_.region.min;
+  const double pixels = static_cast<double>(picture_->size.x) * picture_->size.y * part.x * part.y;
+  // What took many calls waited for a job, or for programs to be compiled.
+  if (!waited) pace_.learn(times, static_cast<int>(pixels), current_.draftMs);
+}
+
+void Preview::takePicture(bool draft) {
+  const nodes::SocketValue* value = shownImage(evaluator_, current_.graph, current_.view);
+  const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
+  if (!image || !image->picture || !error_.empty()) return;
+  // A draft that is not whole replaces only nothing at all. The final picture began as its draft.
+  if (draft && image->picture->samples < 1 && picture_ && picture_ != image->picture) return;
+  picture_ = image->picture;
+  draftShown_ = draft;
+  if (!draft && current_.region.whole()) whole_ = picture_;
+}
+
+std::string Preview::waitingFor() const {
+  if (complete_) return {};
+  for (const auto& [name, node] : current_.graph.nodes) {
+    const nodes::NodeStatus& status = evaluator_.status(name);
+    if (status.state == nodes::NodeState::Pending && !status.what.empty() &&
+        !status.what.starts_with("Waiting for"))
+      return status.what;
+  }
+  return {};
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,338 @@
+#include "editor/start/start_view.h"
+
+#include <imgui.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "editor/app/crash_log.h"
+#include "editor/app/editor.h"
+#include "editor/commands/actions.h"
+#include "editor/document/files.h"
+#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/icons.h"
+
+namespace fs = std::filesystem;
+
+namespace pileus::editor {
+namespace {
+
+constexpr float kLeft = 292, kWidth = 1060, kHeight = 680;  // design pixels
+
+/// What was chosen; it runs after the view is closed.
+using Choice = std::function<void(Editor&)>;
+
+std::string ago(std::int64_t time) {
+  const auto now =
+      std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count();
+  const std::int64_t seconds = std::max<std::int64_t>(0, now - time);
+  if (seconds < 90) return "a moment ago";
+  if (seconds < 5400) return fmt::format("{} minutes ago", (seconds + 30) / 60);
+  if (seconds < 129600) return fmt::format("{} hours ago", (seconds + 1800) / 3600);
+  return fmt::format("{} days ago", (seconds + 43200) / 86400);
+}
+
+/// The desktop's file manager, where there is one; the path is said in any case.
+void showInFolder(Editor& editor, const fs::path& path) {
+  const std::string folder = path.parent_path().string();
+  std::string program = "xdg-open", argument = folder;
+  char* const arguments[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  (void)::posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
+  editor.messages.info("In " + folder);
+}
+
+void heading(const Theme& theme, const char* text) {
+  ImGui::PushFont(theme.strong);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+  ImGui::Dummy({0, theme.px(2)});
+}
+
+/// A picture with rounded corners, cut to fill its place; a cloud where there is none.
+void drawPicture(const Theme& theme, const GraphPictures::Shown& shown, ImVec2 lo, ImVec2 hi, bool grey) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float r = theme.px(4);
+  draw->AddRectFilled(lo, hi, palette::kPictureEmpty, r);
+  if (shown.texture == 0 || grey) {
+    ImFont* font = theme.body;
+    const float width = textWidth(font, icon::kPicture);
+    drawText(draw, font, {0.5f * (lo.x + hi.x - width), 0.5f * (lo.y + hi.y - font->FontSize)},
+             palette::kTextFaint, icon::kPicture, 100);
+    return;
+  }
+  const float place = (hi.x - lo.x) / (hi.y - lo.y), own = float(shown.size.x) / float(shown.size.y);
+  ImVec2 a(0, 0), b(1, 1);
+  if (own > place)
+    a.x = 0.5f - 0.5f * place / own, b.x = 1 - a.x;
+  else
+    a.y = 0.5f - 0.5f * own / place, b.y = 1 - a.y;
+  draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(shown.texture)), lo, hi, a,
+                        b, IM_COL32_WHITE, r);
+}
+
+bool wideButton(Editor& editor, const char* icon, const char* label, const char* trace,
+                bool primary = false) {
+  const Theme& theme = editor.theme;
+  if (primary) {
+    ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5f});
+  const bool pressed = ImGui::Button(fmt::format("  {}   {}", icon, label).c_str(), {-1, theme.px(34)});
+  ImGui::PopStyleVar();
+  if (primary) ImGui::PopStyleColor(2);
+  editor.trace.item(std::string("start/") + trace);
+  return pressed;
+}
+
+void drawRecent(Editor& editor, Choice& choice) {
+  const Theme& theme = editor.theme;
+  heading(theme, "Recent");
+  if (editor.settings.recentFiles.empty()) {
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("What you save or open appears here.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  int row = 0;
+  for (const std::string& file : editor.settings.recentFiles) {
+    const auto& missing = editor.start.found.missing;
+    const bool gone = std::find(missing.begin(), missing.end(), file) != missing.end();
+    const fs::path path = file;
+    ImGui::PushID(row);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = theme.px(46), width = ImGui::GetContentRegionAvail().x;
+    if (ImGui::InvisibleButton("recent", {width, height}) && !gone)
+      choice = [file](Editor& e) { withSavedDocument(e, [file](Editor& x) { openFile(x, file); }); };
+    const bool hovered = ImGui::IsItemHovered();
+    editor.trace.item(fmt::format("start/recent/{}", row));
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    if (hovered && !gone)
+      draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kRowHover, theme.px(4));
+    const float pad = theme.px(4), picture = theme.px(68);
+    drawPicture(theme, gone ? GraphPictures::Shown{} : editor.pictures.file(path), {at.x + pad, at.y + pad},
+                {at.x + pad + picture, at.y + height - pad}, gone);
+    const float x = at.x + picture + theme.space(4), room = at.x + width - x - pad;
+    drawText(draw, theme.body, {x, at.y + theme.px(6)}, gone ? palette::kTextFaint : palette::kText,
+             path.filename().string(), room);
+    drawText(draw, theme.small, {x, at.y + theme.px(25)}, palette::kTextFaint,
+             gone ? "is not there any more" : path.parent_path().string(), room);
+    if (hovered) ImGui::SetTooltip("%s", file.c_str());
+    ImGui::PopID();
+    ++row;
+  }
+}
+
+void drawLeft(Editor& editor, Choice& choice) {
+  const Theme& theme = editor.theme;
+  ImGui::PushFont(theme.title);
+  ImGui::TextUnformatted("Pileus");
+  ImGui::PopFont();
+  ImGui::TextDisabled("Light in clouds and smoke");
+  ImGui::Dummy({0, theme.space(2)});
+  if (wideButton(editor, icon::kFile, "New", "new")) choice = [](Editor& e) { newDocument(e); };
+  if (wideButton(editor, icon::kFolderOpen, "Open\xe2\x80\xa6", "open"))
+    choice = [](Editor& e) { askOpen(e); };
+  if (wideButton(editor, icon::kCloud, "Import VDB\xe2\x80\xa6", "import"))
+    choice = [](Editor& e) { askImportVdb(e); };
+  if (wideButton(editor, icon::kInfo, "Take the tour, four steps", "tour", !editor.settings.tourSeen))
+    choice = [](Editor& e) { startTour(e); };
+  ImGui::Dummy({0, theme.space(2)});
+  const float footer =
+      ImGui::GetFrameHeight() + theme.px(2) + 2 * ImGui::GetStyle().ItemSpacing.y + theme.px(2);
+  ImGui::BeginChild("recent list", {0, std::max(theme.px(60), ImGui::GetContentRegionAvail().y - footer)});
+  drawRecent(editor, choice);
+  ImGui::EndChild();
+  ImGui::Dummy({0, theme.px(2)});
+  ImGui::Checkbox("Show at start", &editor.settings.showStart);
+  editor.trace.item("start/show");
+}
+
+void drawPreset(Editor& editor, const PresetText& preset, float width, Choice& choice) {
+  const Theme& theme = editor.theme;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float picture = std::round(width * 9 / 16), pad = theme.px(4), height = picture + theme.px(50);
+  ImGui::PushID(preset.file);
+  if (ImGui::InvisibleButton("preset", {width, height}))
+    choice = [name = std::string(preset.file)](Editor& e) {
+      withSavedDocument(e, [name](Editor& x) { openPreset(x, name); });
+    };
+  const bool hovered = ImGui::IsItemHovered();
+  editor.trace.item(fmt::format("start/preset/{}", preset.file));
+  ImGui::PopID();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  drawPicture(theme, editor.pictures.preset(preset.file), at, {at.x + width, at.y + picture}, false);
+  if (hovered)
+    draw->AddRect({at.x - pad / 2, at.y - pad / 2}, {at.x + width + pad / 2, at.y + picture + pad / 2},
+                  palette::kAccent, theme.px(5), 0, theme.px(2));
+  drawText(draw, theme.body, {at.x, at.y + picture + theme.px(6)}, palette::kText, preset.name, width);
+  drawText(draw, theme.small, {at.x, at.y + picture + theme.px(25)}, palette::kTextDim, preset.about, width);
+}
+
+void drawGallery(Editor& editor, Choice& choice) {
+  const Theme& theme = editor.theme;
+  heading(theme, "Begin with a scene");
+  ImGui::BeginChild("gallery");
+  const float room = ImGui::GetContentRegionAvail().x - theme.space(4), gap = theme.space(4);
+  const int columns = std::clamp(static_cast<int>(room / theme.px(210)), 1, 4);
+  const float width =
+      std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, theme.space(2)});
+  ImGui::Dummy({0, theme.px(1)});
+  ImGui::Indent(theme.px(2));
+  int i = 0;
+  for (const PresetText& preset : galleryTexts()) {
+    if (i++ % columns != 0) ImGui::SameLine();
+    drawPreset(editor, preset, width, choice);
+  }
+  ImGui::Unindent(theme.px(2));
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+}
+
+/// Unsaved work and crash reports, above everything else.
+void drawNotices(Editor& editor, Choice& choice) {
+  const Theme& theme = editor.theme;
+  StartFindings& found = editor.start.found;
+  if (found.lost.empty() && found.crashes.empty()) return;
+  const float row = ImGui::GetFrameHeight() + theme.space(2);
+  const std::size_t shown = std::min<std::size_t>(found.lost.size(), 3);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kWarningBack);
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(6));
+  ImGui::BeginChild("notices",
+                    {0, row * static_cast<float>(shown + (found.crashes.empty() ? 0u : 1u)) + theme.space(4)},
+                    true, ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+  int erase = -1;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Lost& lost = found.lost[i];
+    const std::string name =
+        lost.original.empty() ? "an unnamed document" : lost.original.filename().string();
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("%s  Unsaved work of %s, %s", icon::kWarning, name.c_str(), ago(lost.time).c_str());
+    editor.trace.note("start/lost", name);
+    const float button = theme.px(96), right = ImGui::GetWindowContentRegionMax().x - 2 * theme.space(2);
+    ImGui::SameLine(right - button * 3.2f);
+    if (ImGui::Button("Open", {button, 0}))
+      choice = [lost](Editor& e) {
+        withSavedDocument(e, [lost](Editor& x) {
+          if (openLost(x, lost))
+            std::erase_if(x.start.found.lost, [&](const Lost& l) { return l.set == lost.set; });
+        });
+      };
+    editor.trace.item(fmt::format("start/lost/{}/open", i));
+    ImGui::SameLine();
+    if (ImGui::Button("Show in folder", {button * 1.2f, 0})) showInFolder(editor, lost.file);
+    editor.trace.item(fmt::format("start/lost/{}/folder", i));
+    ImGui::SameLine();
+    if (ImGui::Button("Discard", {button, 0})) erase = static_cast<int>(i);
+    editor.trace.item(fmt::format("start/lost/{}/discard", i));
+    ImGui::PopID();
+  }
+  if (!found.crashes.empty()) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("%s  Pileus ended unexpectedly. A report was written: %s", icon::kInfo,
+                found.crashes.front().filename().c_str());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * theme.space(2) - theme.px(116));
+    if (ImGui::Button("Show report", {theme.px(116), 0})) showInFolder(editor, found.crashes.front());
+    editor.trace.item("start/crash");
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ImGui::Dummy({0, theme.space(1)});
+  if (erase < 0) return;
+  removeLost(found.lost[static_cast<std::size_t>(erase)]);
+  found.lost.erase(found.lost.begin() + erase);
+}
+
+StartFindings look(const std::vector<std::string>& recent) {
+  StartFindings out;
+  out.lost = findLost();
+  out.crashes = crash::takeNewReports();
+  std::error_code ec;
+  for (const std::string& file : recent)
+    if (!fs::exists(file, ec)) out.missing.push_back(file);
+  return out;
+}
+
+void takeFindings(Editor& editor) {
+  StartView& start = editor.start;
+  if (!start.search || !start.search->done()) return;
+  start.found = *start.search->result();
+  start.search.reset();
+  if (!start.found.lost.empty() && !start.open) openStart(editor);
+  for (const fs::path& report : start.found.crashes)
+    editor.messages.warn("Pileus ended unexpectedly last time. A report was written: " + report.string());
+}
+
+}  // namespace
+
+const std::vector<PresetText>& galleryTexts() {
+  static const std::vector<PresetText> texts = {
+      {"default.json", "Broken cumulus", "A low sun, haze, shadows across gaps"},
+      {"cumulus.json", "One cumulus", "Seen close, warm key and cool fill"},
+      {"light-shafts.json", "Light shafts", "A spot light through a cloud"},
+      {"smoke-column.json", "Smoke column", "Five clouds, one plume, evening"},
+      {"two-lights.json", "Two lights", "Magenta and teal, a map for each"},
+      {"shadows-across-gaps.json", "Across gaps", "Four shapes in each other's shadow"},
+      {"compare-representations.json", "Four shadows", "One scene, four representations"},
+      {"paper-fourier.json", "As in the paper", "Fourier coefficients, 4 and 8"},
+  };
+  return texts;
+}
+
+void beginStart(Editor& editor, bool show) {
+  editor.start.search = std::make_unique<Job<StartFindings>>(
+      [recent = editor.settings.recentFiles](JobControl&) -> Result<StartFindings> { return look(recent); });
+  if (show) openStart(editor);
+}
+
+void openStart(Editor& editor) { editor.start.open = editor.start.appearing = true; }
+
+void drawStart(Editor& editor) {
+  StartView& start = editor.start;
+  takeFindings(editor);
+  if (!start.open || editor.dialogs.anyOpen() || editor.browser.isOpen()) return;
+  const Theme& theme = editor.theme;
+  if (!ImGui::IsPopupOpen("Start")) ImGui::OpenPopup("Start");
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 size = {std::min(theme.px(kWidth), display.x - theme.space(10)),
+                       std::min(theme.px(kHeight), display.y - theme.space(14))};
+  ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(6), theme.space(5)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(10));
+  const bool shown = ImGui::BeginPopupModal("Start", nullptr,
+                                            ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar |
+                                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar(2);
+  if (!shown) return;
+  editor.trace.rect("start", ImGui::GetWindowPos(),
+                    {ImGui::GetWindowPos().x + size.x, ImGui::GetWindowPos().y + size.y});
+  Choice choice;
+  drawNotices(editor, choice);
+  ImGui::BeginChild("left", {theme.px(kLeft), 0});
+  drawLeft(editor, choice);
+  ImGui::EndChild();
+  ImGui::SameLine(0, theme.space(8));
+  ImGui::BeginChild("right", {0, 0});
+  drawGallery(editor, choice);
+  ImGui::EndChild();
+  const ImVec2 lo = ImGui::GetWindowPos(), hi = {lo.x + size.x, lo.y + size.y};
+  const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsMouseHoveringRect(lo, hi, false);
+  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  if (choice || (!start.appearing && (beside || escape))) {
+    start.open = false;
+    ImGui::CloseCurrentPopup();
+  }
+  start.appearing = false;
+  ImGui::EndPopup();
+  if (choice) choice(editor);
+}
+
+}  // namespace pileus::editor

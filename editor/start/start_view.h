@@ -1,0 +1,47 @@
+#pragma once
+// What a start without a file shows over the window: unsaved work of a session that crashed, presets and
+// recent files as pictures, new, open and the tour. Esc or a click beside it closes it.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/document/recovery.h"
+#include "renderer/base/jobs.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+/// What a job finds out before anything is shown.
+struct StartFindings {
+  std::vector<Lost> lost;
+  std::vector<std::filesystem::path> crashes;
+  std::vector<std::string> missing;  ///< recent files that are not there
+};
+
+struct StartView {
+  bool open = false;
+  bool appearing = false;
+  StartFindings found;
+  std::unique_ptr<Job<StartFindings>> search;
+};
+
+/// At the start of the program: looks for unsaved work and crash reports; the view opens when `show`, and in
+/// any case when there is unsaved work.
+void beginStart(Editor& editor, bool show);
+/// Help > Start view.
+void openStart(Editor& editor);
+/// Once a frame.
+void drawStart(Editor& editor);
+
+/// "default.json" -> "Broken cumulus": the gallery's name of a preset, and one line about it.
+struct PresetText {
+  const char* file;
+  const char* name;
+  const char* about;
+};
+/// In the order of the gallery.
+const std::vector<PresetText>& galleryTexts();
+
+}  // namespace pileus::editor

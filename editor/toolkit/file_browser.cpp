@@ -1,0 +1,172 @@
+// The file dialog: what its keys and choices do, and its frame. Its parts: file_browser_draw.cpp.
+#include "editor/toolkit/file_browser.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "editor/app/editor.h"
+
+namespace fs = std::filesystem;
+
+namespace pileus::editor {
+namespace {
+
+constexpr char kTitle[] = "##file browser";
+
+bool pressed(ImGuiKey key, bool repeat = false) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat);
+}
+
+}  // namespace
+
+void FileBrowser::open(Editor& editor, BrowserRequest request) {
+  request_ = std::move(request);
+  open_ = appear_ = focusName_ = true;
+  askReplace_ = showAll_ = go_ = false;
+  error_.clear();
+  name_.clear();
+  filter_.clear();
+  std::error_code ec;
+  fs::path start = request_.start;
+  if (!start.empty() && !fs::is_directory(start, ec)) {
+    name_ = start.filename().string();
+    start = start.parent_path();
+  }
+  if (start.empty() || !fs::is_directory(start, ec)) {
+    const std::vector<std::string>& recent = editor.settings.recentFolders;
+    const auto alive = std::find_if(recent.begin(), recent.end(),
+                                    [&](const std::string& f) { return fs::is_directory(f, ec); });
+    start = alive != recent.end() ? fs::path(*alive) : fs::current_path(ec);
+  }
+  enter(start);
+}
+
+void FileBrowser::enter(const fs::path& folder) {
+  std::error_code ec;
+  fs::path whole = fs::weakly_canonical(fs::absolute(folder, ec), ec);
+  if (ec) whole = folder;
+  if (!fs::is_directory(whole, ec)) return void(error_ = fmt::format("{} is not a folder.", whole.string()));
+  folder_ = whole;
+  filter_.clear();
+  refresh();
+}
+
+void FileBrowser::refresh() {
+  error_.clear();
+  Result<std::vector<FileEntry>> found = listFolder(folder_);
+  all_ = found ? std::move(*found) : std::vector<FileEntry>();
+  if (!found) error_ = found.error().message;
+  arrange();
+}
+
+void FileBrowser::arrange() {
+  entries_ = filtered(all_, showAll_ ? std::vector<std::string>() : request_.kinds, filter_);
+  if (!request_.saving) entries_ = foldSequences(std::move(entries_));
+  sortEntries(entries_, order_, descending_);
+  row_ = -1;
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (!entries_[i].folder && entries_[i].name == name_) row_ = static_cast<int>(i), scrollToRow_ = true;
+}
+
+void FileBrowser::select(int row) {
+  if (row < 0 || row >= static_cast<int>(entries_.size())) return;
+  row_ = row;
+  const FileEntry& entry = entries_[static_cast<std::size_t>(row)];
+  if (!entry.folder) name_ = entry.name;
+  error_.clear();
+}
+
+void FileBrowser::finish(Editor& editor, const fs::path& path) {
+  remember(editor.settings.recentFolders, path.parent_path().string(), 8);
+  open_ = false;
+  ImGui::CloseCurrentPopup();
+  const auto done = std::move(request_.done);  // it may open the browser again
+  if (done) done(path);
+}
+
+fs::path FileBrowser::typedPath() const {
+  const fs::path name = expandedHome(name_);
+  return name.is_absolute() ? name : folder_ / name;
+}
+
+void FileBrowser::choose(Editor& editor) {
+  if (name_.empty()) return void(error_ = "Type or choose a name.");
+  fs::path path = typedPath();
+  std::error_code ec;
+  if (fs::is_directory(path, ec)) {
+    name_.clear();
+    return enter(path);
+  }
+  if (request_.saving) {
+    if (!hasKind(path.filename().string(), request_.kinds)) path += "." + request_.kinds.front();
+    if (!fs::is_directory(path.parent_path(), ec))
+      return void(error_ = fmt::format("The folder {} does not exist.", path.parent_path().string()));
+    if (!fs::exists(path, ec)) return finish(editor, path);
+    replacing_ = path;
+    askReplace_ = true;
+    return;
+  }
+  if (fs::exists(path, ec)) return finish(editor, path);
+  const auto sequence = std::find_if(entries_.begin(), entries_.end(), [&](const FileEntry& e) {
+    return e.count > 0 && e.name == path.filename().string() && path.parent_path() == folder_;
+  });
+  if (sequence == entries_.end()) return void(error_ = fmt::format("{} does not exist.", path.string()));
+  finish(editor, request_.sequences ? path : folder_ / sequence->firstName);
+}
+
+void FileBrowser::handleKeys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const int last = static_cast<int>(entries_.size()) - 1;
+  const int step = (pressed(ImGuiKey_DownArrow, true) ? 1 : 0) - (pressed(ImGuiKey_UpArrow, true) ? 1 : 0);
+  if (io.KeyAlt && step < 0) return enter(folder_.parent_path());
+  const int page = (pressed(ImGuiKey_PageDown, true) ? 10 : 0) - (pressed(ImGuiKey_PageUp, true) ? 10 : 0);
+  if ((step || page) && last >= 0) {
+    select(std::clamp(row_ < 0 ? (step + page > 0 ? 0 : last) : row_ + step + page, 0, last));
+    scrollToRow_ = true;
+  }
+}
+
+void FileBrowser::draw(Editor& editor) {
+  const Theme& theme = editor.theme;
+  if (appear_) ImGui::OpenPopup(kTitle);
+  appear_ = false;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.48f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(theme.px(820), display.x - theme.px(40)), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(5), theme.space(4)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
+  const bool visible = ImGui::BeginPopupModal(
+      kTitle, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  ImGui::PopStyleVar(2);
+  if (!visible) return;
+  go_ = false;
+  for (const KeyPress& key : editor.window->keys()) focusFilter_ |= key.key == 'F' && key.ctrl;
+  handleKeys();
+  drawTop(editor);
+  drawPlaces(editor);
+  ImGui::SameLine();
+  drawEntries(editor);
+  drawName(editor);
+  drawNotice(editor);
+  if (open_) drawBottom(editor);
+  if (open_ && go_) {
+    askReplace_ = false;
+    const FileEntry* entry = row_ >= 0 && row_ < static_cast<int>(entries_.size())
+                                 ? &entries_[static_cast<std::size_t>(row_)]
+                                 : nullptr;
+    // Arrows may stand on a folder while the name is that of a file.
+    if (entry && entry->folder) {
+      const fs::path into = folder_ / entry->name;
+      enter(into);
+      focusName_ = true;
+    } else {
+      choose(editor);
+      focusName_ = open_;
+    }
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace pileus::editor

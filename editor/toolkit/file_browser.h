@@ -1,0 +1,59 @@
+#pragma once
+// A file dialog inside the window: folders and files of some kinds with size and date, sequences as one row,
+// recent folders and bookmarks, a filter, a typed path; asks before a file is replaced. All of it works with
+// the keyboard: arrows choose, Enter opens, Alt+Up goes to the folder above, Tab completes.
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "editor/toolkit/file_listing.h"
+
+namespace pileus::editor {
+
+struct Editor;
+
+struct BrowserRequest {
+  std::string title, button;       ///< "Open graph", "Open"
+  std::vector<std::string> kinds;  ///< endings without the dot; empty = all files
+  bool saving = false;             ///< a new name may be typed; an existing file is asked about
+  bool sequences = false;          ///< a row of numbered files gives its pattern, else its first file
+  std::filesystem::path start;     ///< folder, or file to preselect; empty = last folder used
+  std::function<void(const std::filesystem::path&)> done;
+};
+
+class FileBrowser {
+ public:
+  void open(Editor& editor, BrowserRequest request);
+  void draw(Editor& editor);  ///< once a frame
+  bool isOpen() const { return open_; }
+
+ private:
+  void enter(const std::filesystem::path& folder);
+  void refresh();  ///< reads the folder
+  void arrange();  ///< what is listed of it, in order
+  void select(int row);
+  void handleKeys();
+  void drawTop(Editor& editor);
+  void drawPlaces(Editor& editor);
+  void drawEntries(Editor& editor);
+  void drawRow(Editor& editor, int row, float width);
+  void drawBottom(Editor& editor);
+  void drawNotice(Editor& editor);
+  void drawName(Editor& editor);
+  std::filesystem::path typedPath() const;
+  void choose(Editor& editor);
+  void finish(Editor& editor, const std::filesystem::path& path);
+
+  BrowserRequest request_;
+  bool open_ = false, appear_ = false, askReplace_ = false, focusName_ = false, focusFilter_ = false;
+  bool showAll_ = false, scrollToRow_ = false, go_ = false;
+  FileOrder order_ = FileOrder::Name;
+  bool descending_ = false;
+  std::filesystem::path folder_, replacing_;
+  std::vector<FileEntry> all_, entries_;  ///< of the folder; listed
+  int row_ = -1;                          ///< chosen in entries_
+  std::string name_, filter_, error_;
+};
+
+}  // namespace pileus::editor

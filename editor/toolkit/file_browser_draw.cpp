@@ -1,0 +1,271 @@
+// The parts of the file dialog: folder and filter, places, the list, the name, the buttons.
+#include <fmt/core.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "editor/app/editor.h"
+#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/file_browser.h"
+#include "editor/toolkit/icons.h"
+
+namespace fs = std::filesystem;
+
+namespace pileus::editor {
+namespace {
+
+std::string folderName(const std::string& folder) {
+  const std::string name = fs::path(folder).filename().string();
+  return name.empty() ? folder : name;
+}
+
+/// Columns of the list, from the right.
+struct Columns {
+  float size, date;  ///< right edges, from the list's left
+};
+Columns columns(const Theme& theme, float width) { return {width - theme.px(142), width}; }
+
+}  // namespace
+
+void FileBrowser::drawTop(Editor& editor) {
+  const Theme& theme = editor.theme;
+  ImGui::PushFont(theme.title);
+  ImGui::TextUnformatted(request_.title.c_str());
+  ImGui::PopFont();
+  if (ImGui::Button(icon::kArrowUp)) enter(folder_.parent_path());
+  editor.trace.item("browser/up");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Folder above (Alt+Up)");
+  ImGui::SameLine();
+  std::vector<std::string>& marks = editor.settings.folderBookmarks;
+  const auto marked = std::find(marks.begin(), marks.end(), folder_.string());
+  ImGui::PushStyleColor(ImGuiCol_Text, marked != marks.end() ? palette::kSelect : palette::kTextDim);
+  if (ImGui::Button(icon::kBookmark)) {
+    if (marked != marks.end())
+      marks.erase(marked);
+    else
+      marks.push_back(folder_.string());
+  }
+  ImGui::PopStyleColor();
+  editor.trace.item("browser/bookmark");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Keep this folder among the places, or remove it");
+  ImGui::SameLine();
+  const float search = theme.px(190);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x - search - theme.space(3);
+  // The end of a long path says more than its beginning.
+  std::string shown = folder_.string();
+  while (shown.size() > 4 && textWidth(theme.body, "\xe2\x80\xa6" + shown) > room) {
+    const std::size_t slash = shown.find('/', 1);
+    shown = slash == std::string::npos ? shown.substr(4) : shown.substr(slash);
+  }
+  if (shown != folder_.string()) shown = "\xe2\x80\xa6" + shown;
+  editor::drawText(ImGui::GetWindowDrawList(), theme.body,
+                   {at.x, at.y + 0.5f * (ImGui::GetFrameHeight() - theme.body->FontSize)}, palette::kTextDim,
+                   shown, room);
+  ImGui::SetCursorScreenPos({at.x + room + theme.space(3), at.y});
+  ImGui::SetNextItemWidth(search);
+  if (focusFilter_) ImGui::SetKeyboardFocusHere();
+  focusFilter_ = false;
+  if (ImGui::InputTextWithHint("##filter", (std::string(icon::kSearch) + "  Filter (Ctrl+F)").c_str(),
+                               &filter_))
+    arrange();
+  editor.trace.item("browser/filter");
+}
+
+void FileBrowser::drawPlaces(Editor& editor) {
+  const Theme& theme = editor.theme;
+  ImGui::BeginChild("places", {theme.px(166), theme.px(340)}, false);
+  const auto place = [&](const char* mark, const std::string& label, const fs::path& folder) {
+    ImGui::PushID(folder.c_str());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Selectable("##place", folder == folder_)) enter(folder);
+    editor.trace.item("place/" + label);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
+    editor::drawText(ImGui::GetWindowDrawList(), theme.body, {at.x + theme.px(2), at.y}, palette::kTextDim,
+                     mark, width);
+    editor::drawText(ImGui::GetWindowDrawList(), theme.body, {at.x + theme.px(26), at.y}, palette::kText,
+                     label, width - theme.px(26));
+    ImGui::PopID();
+  };
+  const auto section = [&](const char* title) {
+    ImGui::Dummy({0, theme.space(1)});
+    ImGui::PushFont(theme.small);
+    ImGui::TextDisabled("%s", title);
+    ImGui::PopFont();
+    ImGui::PushID(title);
+  };
+  place(icon::kHome, "Home", expandedHome("~"));
+  place(icon::kDesktop, "Computer", "/");
+  if (!editor.document.path().empty())
+    place(icon::kFile, "This document", fs::absolute(editor.document.path()).parent_path());
+  if (!editor.settings.folderBookmarks.empty()) {
+    section("Bookmarks");
+    for (const std::string& f : std::vector<std::string>(editor.settings.folderBookmarks))
+      place(icon::kBookmark, folderName(f), f);
+    ImGui::PopID();
+  }
+  if (!editor.settings.recentFolders.empty()) {
+    section("Recent");
+    for (const std::string& f : editor.settings.recentFolders) place(icon::kFolder, folderName(f), f);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+}
+
+void FileBrowser::drawRow(Editor& editor, int row, float width) {
+  const Theme& theme = editor.theme;
+  const FileEntry& entry = entries_[static_cast<std::size_t>(row)];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(row);
+  if (ImGui::Selectable("##row", row == row_,
+                        ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+    select(row);
+    // Folders open with one click, as they always did; files with two.
+    if (entry.folder || ImGui::IsMouseDoubleClicked(0)) go_ = true;
+  }
+  editor.trace.item("entry/" + entry.name);
+  ImGui::PopID();
+  if (row == row_ && scrollToRow_) {
+    ImGui::SetScrollHereY();
+    scrollToRow_ = false;
+  }
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const Columns c = columns(theme, width);
+  const char* mark = entry.folder ? icon::kFolder : entry.count ? icon::kList : icon::kFile;
+  editor::drawText(draw, theme.body, {at.x, at.y}, palette::kTextDim, mark, width);
+  editor::drawText(draw, theme.body, {at.x + theme.px(24), at.y},
+                   entry.folder ? palette::kText : palette::kTextStrong, entryLabel(entry),
+                   c.size - theme.px(24 + 78));
+  const auto right = [&](float x, const std::string& text) {
+    const float w = textWidth(theme.small, text);
+    editor::drawText(draw, theme.small, {at.x + x - w, at.y + theme.px(1)}, palette::kTextFaint, text, w + 1);
+  };
+  if (!entry.folder) right(c.size, sizeText(entry.bytes));
+  right(c.date, dateText(entry.time));
+}
+
+void FileBrowser::drawEntries(Editor& editor) {
+  const Theme& theme = editor.theme;
+  ImGui::BeginGroup();
+  const float pad = theme.space(2), whole = ImGui::GetContentRegionAvail().x;
+  const float width = whole - 2 * pad - ImGui::GetStyle().ScrollbarSize;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Columns c = columns(theme, width);
+  ImGui::PushFont(theme.small);
+  const auto head = [&](const char* label, FileOrder order, float right) {
+    const std::string text = std::string(label) + (order_ != order ? ""
+                                                   : descending_   ? " \xe2\x86\x93"
+                                                                   : " \xe2\x86\x91");
+    const float w = textWidth(theme.small, text);
+    ImGui::SetCursorScreenPos({at.x + pad + (right > 0 ? right - w : 0), at.y});
+    if (ImGui::InvisibleButton(label, {w, theme.px(20)})) {
+      descending_ = order_ == order ? !descending_ : order != FileOrder::Name;
+      order_ = order;
+      arrange();
+    }
+    editor.trace.item(std::string("browser/by ") + label);
+    editor::drawText(ImGui::GetWindowDrawList(), theme.small, {ImGui::GetItemRectMin().x, at.y + theme.px(2)},
+                     ImGui::IsItemHovered() || order_ == order ? palette::kText : palette::kTextDim, text,
+                     w + 1);
+  };
+  head("Name", FileOrder::Name, 0);
+  head("Size", FileOrder::Size, c.size);
+  head("Changed", FileOrder::Date, c.date);
+  ImGui::PopFont();
+  ImGui::SetCursorScreenPos({at.x, at.y + theme.px(22)});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kField);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+  ImGui::BeginChild("entries", {0, theme.px(318)}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(entries_.size()), ImGui::GetTextLineHeightWithSpacing());
+  if (scrollToRow_ && row_ >= 0) clipper.ForceDisplayRangeByIndices(row_, row_ + 1);
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) drawRow(editor, i, width);
+  if (entries_.empty())
+    ImGui::TextDisabled("%s", !filter_.empty()                     ? "Nothing here has that in its name."
+                              : request_.kinds.empty() || showAll_ ? "This folder is empty."
+                                                                   : "No files of this kind here.");
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ImGui::EndGroup();
+}
+
+void FileBrowser::drawName(Editor& editor) {
+  struct Completion {
+    const FileBrowser* browser;
+  } completion{this};
+  const auto complete = [](ImGuiInputTextCallbackData* data) {
+    const FileBrowser& b = *static_cast<Completion*>(data->UserData)->browser;
+    const std::string typed(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+    const std::string longer =
+        completedPath(typed, b.folder_, b.showAll_ ? std::vector<std::string>() : b.request_.kinds);
+    if (longer == typed) return 0;
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, longer.c_str());
+    return 0;
+  };
+  ImGui::SetNextItemWidth(-1);
+  if (focusName_) ImGui::SetKeyboardFocusHere();
+  focusName_ = false;
+  go_ |= ImGui::InputTextWithHint(
+      "##name", request_.saving ? "File name (Tab completes)" : "File name or path (Tab completes)", &name_,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+          ImGuiInputTextFlags_CallbackCompletion,
+      complete, &completion);
+  if (ImGui::IsItemEdited()) row_ = -1;  // Enter means what is typed
+  editor.trace.item("browser/name");
+}
+
+void FileBrowser::drawNotice(Editor& editor) {
+  if (!error_.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(error_.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    editor.trace.note("browser error", error_);
+  }
+  if (!askReplace_) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+  ImGui::TextUnformatted(
+      fmt::format("{}  {} exists already.", icon::kWarning, replacing_.filename().string()).c_str());
+  ImGui::PopStyleColor();
+  ImGui::SameLine();
+  if (ImGui::Button("Replace")) finish(editor, replacing_);
+  editor.trace.item("browser/replace");
+}
+
+void FileBrowser::drawBottom(Editor& editor) {
+  const Theme& theme = editor.theme;
+  if (!request_.kinds.empty()) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+    if (ImGui::Checkbox("All files", &showAll_)) arrange();
+    ImGui::PopStyleVar();
+    ImGui::SameLine();
+    ImGui::PushFont(theme.small);
+    std::string kinds;
+    for (const std::string& k : request_.kinds) kinds += (kinds.empty() ? "else ." : ", .") + k;
+    ImGui::TextDisabled("%s", kinds.c_str());
+    ImGui::PopFont();
+    ImGui::SameLine();
+  }
+  const float button = theme.px(110);
+  ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * button - theme.space(2));
+  const bool cancel = ImGui::Button("Cancel", {button, 0});
+  editor.trace.item("browser/cancel");
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
+  go_ |= ImGui::Button(request_.button.c_str(), {button, 0});
+  ImGui::PopStyleColor();
+  editor.trace.item("browser/ok");
+  if (!cancel && !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
+  go_ = false;
+  open_ = false;
+  ImGui::CloseCurrentPopup();
+}
+
+}  // namespace pileus::editor

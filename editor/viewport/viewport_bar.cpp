@@ -1,0 +1,214 @@
+#include "editor/viewport/viewport_bar.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "editor/commands/actions.h"
+#include "editor/graph_view/canvas_view.h"
+#include "editor/picture/shown_camera.h"
+#include "editor/toolkit/icons.h"
+#include "editor/toolkit/widgets.h"
+#include "editor/viewport/bar_parts.h"
+
+namespace pileus::editor {
+namespace {
+
+std::string textParam(const nodes::Node& node, const nodes::NodeType& type, const char* id, double frame) {
+  const nodes::ParamSpec* spec = type.param(id);
+  if (!spec) return {};
+  const nodes::ParamValue value = nodes::paramValue(node, *spec, frame);
+  const std::string* text = std::get_if<std::string>(&value);
+  return text ? *text : std::string();
+}
+bool hasOutputs(const Bar& bar) { return bar.outputs.size() > 1; }
+bool hasDisplay(const Bar& bar) { return bar.type.param("display") && bar.type.param("view"); }
+bool hasLooks(const Bar& bar) {
+  return bar.type.param("look") && !bar.editor.viewport.colors->looks().empty();
+}
+bool hasExposure(const Bar& bar) { return bar.type.param("exposure"); }
+
+constexpr float kSquare = 0;  // width of a button: as high as a frame
+
+struct Part {
+  void (*draw)(Bar&);
+  float width;   ///< design pixels
+  int priority;  ///< the lowest stay longest where room is short
+  bool right = false;
+  bool (*wanted)(const Bar&) = nullptr;  ///< null: always
+};
+constexpr Part kParts[] = {{drawOutput, 120, 7, false, hasOutputs},
+                           {drawLayer, 116, 1},
+                           {drawChannel, 62, 4},
+                           {drawDisplay, 108, 6, false, hasDisplay},
+                           {drawView, 138, 3, false, hasDisplay},
+                           {drawLook, 110, 8, false, hasLooks},
+                           {drawExposure, 127, 2, false, hasExposure},
+                           {drawGamma, 112, 16, false, hasExposure},
+                           {drawResolution, 78, 18},
+                           {drawCamera, 110, 19, true},
+                           {drawRaw, kSquare, 15, true},
+                           {drawFalse, kSquare, 12, true},
+                           {drawZebra, kSquare, 14, true},
+                           {drawHisto, kSquare, 11, true},
+                           {drawInspect, kSquare, 9, true},
+                           {drawRegionButton, kSquare, 13, true},
+                           {drawStill, kSquare, 10, true},
+                           {drawCompareButton, kSquare, 5, true},
+                           {drawHudButton, kSquare, 17, true}};
+constexpr std::size_t kCount = std::size(kParts);
+
+float partWidth(const Theme& theme, const Part& part) {
+  return part.width == kSquare ? ImGui::GetFrameHeight() : theme.px(part.width);
+}
+
+/// The parts that fit into `room`, most important ones first.
+std::array<bool, kCount> fitting(const Bar& bar, float room) {
+  std::array<bool, kCount> shown{};
+  const Theme& theme = bar.editor.theme;
+  for (int priority = 1; priority <= static_cast<int>(kCount); ++priority)
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const Part& part = kParts[i];
+      if (part.priority != priority || (part.wanted && !part.wanted(bar))) continue;
+      const float width =
+          partWidth(theme, part) + (part.right && part.width == kSquare ? theme.px(2) : theme.space(2));
+      if (width > room) return shown;
+      room -= width;
+      shown[i] = true;
+    }
+  return shown;
+}
+
+/// Everything, by mouse, however narrow the bar is.
+void drawMore(Bar& bar) {
+  const auto list = [&](const char* label, void (*items)(Bar&), bool wanted = true) {
+    if (!wanted) return;
+    const bool open = ImGui::BeginMenu(label);
+    bar.editor.trace.item(fmt::format("viewport/more/{}", label));
+    if (open) items(bar), ImGui::EndMenu();
+  };
+  list("Shown Node", listOutputs, hasOutputs(bar));
+  list("Layer", listLayers);
+  list("Channel", listChannels);
+  list("Display", listDisplays, hasDisplay(bar));
+  list("View Transform", listViews, hasDisplay(bar));
+  list("Look", listLooks, hasLooks(bar));
+  list("Resolution", listResolutions);
+  list("Draft Time", listDraftTimes);
+  if (bar.type.param("gamma") && ImGui::BeginMenu("Gamma")) {
+    dragNumber(bar, "gamma", bar.settings.gamma, "", "Gamma", "Gamma behind the view transform",
+               bar.editor.theme.px(96));
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  for (const char* id : {"viewport.raw", "viewport.false_color", "viewport.zebra", "viewport.inspector",
+                         "viewport.histogram", "viewport.hud"})
+    actionMenuItem(bar.editor, id);
+  ImGui::Separator();
+  for (const char* id : {"viewport.region", "viewport.region_toggle", "viewport.snapshot",
+                         "viewport.snapshot_wipe", "viewport.compare"})
+    actionMenuItem(bar.editor, id);
+  ImGui::Separator();
+  for (const char* id : {"viewport.frame", "viewport.reset_camera", "viewport.exposure_reset"})
+    actionMenuItem(bar.editor, id);
+}
+
+void drawMoreButton(Bar& bar, ImVec2 at) {
+  Editor& editor = bar.editor;
+  const float side = ImGui::GetFrameHeight();
+  ImGui::SetCursorScreenPos(at);
+  const bool clicked = ImGui::InvisibleButton("##more", {side, side}), hovered = ImGui::IsItemHovered();
+  editor.trace.item("viewport/more");
+  if (hovered)
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, palette::kButtonHover,
+                                              editor.theme.px(4));
+  drawText(ImGui::GetWindowDrawList(), editor.theme.body,
+           {std::round(at.x + 0.5f * (side - textWidth(editor.theme.body, icon::kMore))),
+            std::round(at.y + 0.5f * (side - editor.theme.body->FontSize))},
+           hovered ? palette::kText : palette::kTextDim, icon::kMore, side);
+  if (hovered) tooltip(editor.theme, "Everything about how the picture is shown");
+  if (clicked) ImGui::OpenPopup("viewport more");
+  ImGui::SetNextWindowPos({at.x + side, at.y + side + editor.theme.px(4)}, ImGuiCond_Appearing, {1, 0});
+  if (!ImGui::BeginPopup("viewport more")) return;
+  drawMore(bar);
+  ImGui::EndPopup();
+}
+
+std::vector<std::string> outputsOf(const Editor& editor, const std::string& shown) {
+  std::vector<std::string> names;
+  for (const auto& [name, node] : editor.document.root().nodes)
+    if (const nodes::NodeType* type = nodes::findNodeType(node->type); type && type->isOutput)
+      names.push_back(name);
+  if (!shown.empty() && std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
+  return names;
+}
+
+}  // namespace
+
+view::DisplaySettings displaySettings(const Editor& editor) {
+  const nodes::Node* node = nodes::findNode(editor.document.root(), displayNode(editor));
+  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
+  const DisplayMode& mode = editor.viewport.mode;
+  view::DisplaySettings settings;
+  settings.raw = mode.raw;
+  settings.channel = mode.channel;
+  settings.falseColor = mode.falseColor;
+  settings.zebra = mode.zebra;
+  if (!type) return settings;
+  settings.display = textParam(*node, *type, "display", editor.frame);
+  settings.view = textParam(*node, *type, "view", editor.frame);
+  settings.look = textParam(*node, *type, "look", editor.frame);
+  const auto number = [&](const char* id, double& out) {
+    const nodes::ParamSpec* spec = type->param(id);
+    if (!spec) return;
+    const nodes::ParamValue value = nodes::paramValue(*node, *spec, editor.frame);
+    if (const double* v = std::get_if<double>(&value)) out = *v;
+  };
+  number("exposure", settings.exposure);
+  number("gamma", settings.gamma);
+  return settings;
+}
+
+void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max) {
+  const Theme& theme = editor.theme;
+  ImGui::GetWindowDrawList()->AddRectFilled(min, max, palette::kPanel);
+  ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(5)});
+  const std::string view = displayNode(editor);
+  const nodes::Node* node = nodes::findNode(editor.document.root(), view);
+  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
+  if (!type || !editor.viewport.colors) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Viewport");
+    return;
+  }
+  Bar bar{editor,
+          view,
+          *type,
+          displaySettings(editor),
+          outputsOf(editor, shownView(editor)),
+          layerChoices(editor),
+          0};
+  bar.layer = shownLayer(editor, bar.layers);
+  editor.trace.note("viewport layer", bar.layers[bar.layer].label);
+  // Right of it is room for the buttons that maximise and hide the panel.
+  const float side = ImGui::GetFrameHeight(), more = max.x - theme.px(66) - side, y = min.y + theme.px(5);
+  const auto shown = fitting(bar, more - theme.space(2) - (min.x + theme.space(2)));
+  float left = min.x + theme.space(2), rightWidth = 0;
+  for (std::size_t i = 0; i < kCount; ++i)
+    if (shown[i] && kParts[i].right)
+      rightWidth += partWidth(theme, kParts[i]) + (kParts[i].width == kSquare ? theme.px(2) : theme.space(2));
+  float right = more - theme.px(2) - rightWidth;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Part& part = kParts[i];
+    if (!shown[i]) continue;
+    float& x = part.right ? right : left;
+    ImGui::SetCursorScreenPos({x, y});
+    part.draw(bar);
+    x += partWidth(theme, part) + (part.right && part.width == kSquare ? theme.px(2) : theme.space(2));
+  }
+  drawMoreButton(bar, {more, y});
+}
+
+}  // namespace pileus::editor

@@ -1,0 +1,79 @@
+#include "nodes/types/shadow_common.h"
+
+#include <algorithm>
+
+#include "renderer/view/renderer.h"
+
+namespace pileus::nodes {
+
+Result<std::vector<scene::Light>> lightsOf(const LightValue& value) {
+  if (value.items.empty()) return fail(Code::Input, "light: holds no light; link one");
+  std::vector<scene::Light> out;
+  for (const LightWithShadow& l : value.items) out.push_back(l.light);
+  return out;
+}
+
+Result<view::Renderer*> gpuOf(EvalContext& ctx) {
+  if (ctx.renderer()) return ctx.renderer();
+  return fail(Code::Gpu, "needs a GPU context");
+}
+
+int draftResolution(int resolution, const EvalContext& ctx) {
+  if (ctx.quality() == Quality::Final) return resolution;
+  if (ctx.draftTexels() > 0) return std::min(resolution, ctx.draftTexels());
+  return std::min(resolution, ctx.renderer() && ctx.renderer()->device().software ? 128 : 256);
+}
+
+namespace {
+
+/// What the compression of deep maps came to, in words on the node.
+void noteDeep(const std::vector<std::unique_ptr<shadow::ShadowPass>>& passes, EvalContext& ctx) {
+  shadow::DeepStatistics all;
+  for (const auto& pass : passes)
+    if (const auto s = pass->deepStatistics()) {
+      all.vertices += s->vertices;
+      all.rawVertices += s->rawVertices;
+      all.overBudget += s->overBudget;
+      all.texels += s->texels;
+      all.worstBound = std::max(all.worstBound, s->worstBound);
+    }
+  if (all.texels == 0) return;
+  ctx.note(fmt::format("{} vertices, {:.1f} MiB with headers; {:.1f}x smaller than uncompressed",
+                       all.vertices, double((all.vertices + all.texels) * 8) / (1 << 20), all.compression()));
+  if (all.overBudget > 0)
+    ctx.warn(fmt::format(
+        "node_budget: {} of {} texels needed more vertices and got a larger error bound, up to {:.3g}",
+        all.overBudget, all.texels, all.worstBound));
+}
+
+}  // namespace
+
+Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights,
+                                const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx,
+                                const char* what) {
+  PILEUS_TRY(const std::vector<scene::Light> bare, lightsOf(lights));
+  PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
+  auto& queue = ctx.state<PassQueue<shadow::ShadowPass>>();
+  if (queue.passes.empty())
+    for (const scene::Light& light : bare)
+      queue.passes.push_back(std::make_unique<shadow::ShadowPass>(
+          shadow::withResolution(spec, draftResolution(shadow::resolutionOf(spec), ctx)), light,
+          volumes.items, solids.items));
+  double gpuMs = 0;
+  PILEUS_TRY(const double fraction, queue.run(renderer->gpu(), ctx, gpuMs));
+  LightValue out;
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    const auto map = queue.passes[i]->map();
+    bytes += map ? map->bytes() : 0;
+    out.items.push_back({bare[i], map});
+  }
+  ctx.reportGpu(gpuMs, bytes);
+  if (fraction < 1)
+    ctx.pending(fraction, what);
+  else
+    noteDeep(queue.passes, ctx);
+  return out;
+}
+
+}  // namespace pileus::nodes

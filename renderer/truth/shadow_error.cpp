@@ -1,0 +1,155 @@
+#include "renderer/truth/shadow_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/profile.h"
+#include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/compare.h"
+#include "renderer/view/camera_rays.h"
+
+namespace pileus::view {
+namespace {
+
+constexpr int kRows = 16;         // of a region
+constexpr double kRegionMs = 12;  // wanted: a dispatch cannot be interrupted
+constexpr int kInRegisters = 4;   // volumes of an overlap
+constexpr int kPairs = MAX_LIGHTS / 2;
+
+}  // namespace
+
+ShadowErrorPass::ShadowErrorPass(const RenderScene& scene, const RenderScene& truth)
+    : options_(scene.options) {
+  std::vector<shadow::ShadowedLight> pairs;
+  const auto close = [&] {
+    if (!pairs.empty()) groups_.emplace_back(std::exchange(pairs, {}), scene.volumes, scene.solids);
+  };
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (!scene.lights[i].shadow) continue;
+    pairs.push_back(scene.lights[i]);
+    pairs.push_back(truth.lights[i]);
+    if (pairs.size() == 2 * kPairs) close();
+  }
+  close();
+  if (groups_.empty()) fraction_ = 1;
+}
+
+void ShadowErrorPass::start(const gl::DeviceInfo& device) {
+  for (gl::Texture* t : {&errors_, &transmittances_}) {
+    *t = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(options_.size, 1), "shadow error");
+    t->clear();
+    t->filter(GL_NEAREST);
+  }
+  // The drawn volumes are the same, and first, in every group.
+  const LightSet& any = groups_.front();
+  const auto drawn = std::span(any.volumes()).first(any.drawnVolumes());
+  const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, options_);
+  tiles_.build(options_.size, bounds);
+  budgets_.resize(groups_.size());
+  for (std::size_t i = 0; i < groups_.size(); ++i)
+    budgets_[i].plan(marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device, pauseAfter_);
+  const std::vector<unsigned> zero(ERROR_BINS, 0u);
+  bins_.assign(std::span<const unsigned>(zero));
+}
+
+Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
+  if (fraction_ >= 1) return 1.0;
+  const Stopwatch clock;
+  while (fraction_ < 1) {
+    const ivec2 from = next_, to = glm::min(from + ivec2(width_, kRows), options_.size);
+    const Stopwatch region;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      LightSet& group = groups_[i];
+      PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, group.volumes(), ms));
+      if (residency.fraction < 1) return fraction_;
+      if (!errors_) start(gpu.device);
+      PILEUS_CHECK(dispatch(gpu, group, budgets_[i], from, to));
+    }
+    collect(from, to);
+    const double took = region.ms();
+    if (took < 0.5 * kRegionMs) width_ = std::min(2 * width_, 4096);
+    if (took > 2 * kRegionMs) width_ = std::max(width_ / 2, 8);
+    next_ = to.x < options_.size.x ? ivec2(to.x, from.y) : ivec2(0, to.y);
+    const int rows = std::min(kRows, options_.size.y - next_.y);  // the last strip may be lower
+    fraction_ =
+        rows <= 0 ? 1.0 : (next_.y + static_cast<double>(rows * next_.x) / options_.size.x) / options_.size.y;
+    if (clock.ms() >= ms) break;
+  }
+  return fraction_;
+}
+
+Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget,
+                                       ivec2 from, ivec2 to) {
+  gl::Defines defines = lights.defines();
+  const bool solids = lights.drawnSolids() > 0;
+  defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
+                                 {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)},
+                                 {"OVERFLOW", tiles_.longest() > kInRegisters},
+                                 {"SOLIDS", solids},
+                                 {"RESUME", budget.resumes()}});
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/shadow_error.comp.glsl"}, defines));
+  program->use();
+  set_.bind(gpu.bricks, *program);
+  tiles_.bind(*program);
+  lights.bind(gpu.store);
+  setCameraRays(*program, options_);
+  program->set("pairCount", static_cast<int>(lights.lights().size() / 2));
+  program->set("solidCount", static_cast<int>(lights.drawnSolids()));
+  program->set("regionOrigin", from);
+  program->set("regionEnd", to);
+  bins_.bindStorage(BIND_ERROR_BINS);
+  glBindImageTexture(IMAGE_ERROR, errors_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glBindImageTexture(IMAGE_TRANSMITTANCE, transmittances_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  const ivec2 groups = (to - from + 7) / 8;
+  do {
+    if (budget.resumes()) budget.bind(*program, (to.x - from.x) * (to.y - from.y));
+    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                    GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
+  } while (budget.resumes() && budget.unfinished() > 0);
+  return {};
+}
+
+void ShadowErrorPass::collect(ivec2 from, ivec2 to) {
+  const ivec2 size = to - from;
+  std::vector<vec4> error(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)),
+      seen(error.size());
+  const auto read = [&](const gl::Texture& texture, std::vector<vec4>& into) {
+    glGetTextureSubImage(texture.id(), 0, from.x, from.y, 0, size.x, size.y, 1, GL_RGBA, GL_FLOAT,
+                         static_cast<GLsizei>(into.size() * sizeof(vec4)), into.data());
+  };
+  read(errors_, error);
+  read(transmittances_, seen);
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    const vec4 e = error[i];
+    sum_ += static_cast<double>(e.y);
+    samples_ += static_cast<double>(e.w);
+    maximum_ = std::max(maximum_, static_cast<double>(std::abs(e.z)));
+    (e.x > 0 ? leak_ : dark_) += static_cast<double>(std::abs(e.x));
+    seen_ += static_cast<double>(seen[i].z);
+  }
+}
+
+double ShadowErrorPass::quantile(double q) const {
+  if (!errors_ || samples_ <= 0) return 0;
+  std::vector<unsigned> bins(ERROR_BINS);
+  glGetNamedBufferSubData(bins_.id(), 0, static_cast<GLsizeiptr>(bins.size() * sizeof(unsigned)),
+                          bins.data());
+  double all = 0, below = 0;
+  for (const unsigned n : bins) all += n;
+  const double wanted = q * all;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i] == 0 || below + bins[i] < wanted) {
+      below += bins[i];
+      continue;
+    }
+    if (i == 0) return 0;
+    const double within = (wanted - below) / bins[i];
+    const double decades = (static_cast<double>(i - 1) + within) * ERROR_DECADES / (ERROR_BINS - 1);
+    return std::min(ERROR_LEAST * std::pow(10.0, decades), maximum_);
+  }
+  return maximum_;
+}
+
+}  // namespace pileus::view

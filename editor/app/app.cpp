@@ -5,17 +5,41 @@
 
 #include <algorithm>
 
-#include "editor/app/crash_log.h"
-#include "editor/app/editor.h"
-#include "editor/app/end_signals.h"
-#include "editor/app/look.h"
 #include "editor/app/panels.h"
+#include "editor/app/trace_report.h"
 #include "editor/commands/actions.h"
-#include "editor/document/files.h"
-#include "editor/picture/shadow_place.h"
+#include "editor/commands/carry_out.h"
+#include "editor/commands/command_palette.h"
+#include "editor/commands/drop_commands.h"
+#include "editor/commands/files.h"
+#include "editor/commands/look.h"
+#include "editor/dialogs/dialogs.h"
+#include "editor/document/crash_log.h"
+#include "editor/document/drops.h"
+#include "editor/document/end_signals.h"
+#include "editor/document/exporter.h"
+#include "editor/document/graph_pictures.h"
+#include "editor/document/session.h"
+#include "editor/editor.h"
+#include "editor/exchange/messages.h"
+#include "editor/graph_view/canvas.h"
+#include "editor/lab/lab.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/light_view.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/preferences/settings.h"
+#include "editor/start/start_view.h"
+#include "editor/start/tour.h"
+#include "editor/time/clock.h"
 #include "editor/time/playback.h"
+#include "editor/timeline_view/timeline_state.h"
+#include "editor/toolkit/modals.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/ui_trace.h"
+#include "editor/toolkit/window.h"
 #include "editor/viewport/region_view.h"
+#include "editor/viewport/viewport.h"
 #include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
 
@@ -29,34 +53,37 @@ constexpr double kSliceMs = 70;  // of refinement between two frames when nothin
 /// lists.
 void handleKeys(Editor& editor) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  const bool ours = editor.dialogs.anyOpen() || editor.browser.isOpen() || editor.start.open;
+  const bool ours = editor.modals.anyOpen() || editor.modals.browser.isOpen() || editor.start.open;
   if (popup && !ours && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
     ImGui::ClosePopupToLevel(0, false);
-  if (popup || editor.dialogs.anyOpen() || editor.canvas.search.opening || editor.canvas.find.opening) return;
-  for (const KeyPress& key : editor.window->keys()) {
+  if (popup || editor.modals.anyOpen() || editor.canvas.search.opening || editor.canvas.find.opening) return;
+  for (const KeyPress& key : editor.window.keys()) {
     // Esc ends what is going on before it pauses anything.
     if (editor.canvas.interaction.busy() || editor.canvas.interaction.armed ||
-        editor.timeline.drag != Timeline::Drag::None || keysAreTaken(editor.parameters) || editor.tour.on())
+        editor.timeline.drag != Timeline::Drag::None || keysAreTaken(editor.fields, editor.parameters) ||
+        editor.tour.on())
       continue;
     if (editor.parameters.help.open() && key.key == kEscape) continue;
-    if (key.key == kEscape && (cancelRegion(editor) || escapeViewport(editor))) continue;
-    if (viewportHoldsKeys(editor)) continue;
+    if (key.key == kEscape &&
+        (cancelRegion(editor.shown) || escapeViewport(editor.session, editor.shown, editor.viewport)))
+      continue;
+    if (viewportHoldsKeys(editor.viewport)) continue;
     runShortcut(editor, key);
   }
 }
 
 PreviewRequest previewRequest(const Editor& editor) {
   PreviewRequest request;
-  request.graph = editor.document.root();
-  request.revision = editor.document.revision();
-  request.view = shownView(editor);
-  request.size = editor.viewport.renderSize;
-  if (linkedCamera(editor, request.view).empty()) request.freeCamera = editor.viewport.freeCamera;
-  request.folder = editor.document.path().parent_path();
-  applyLightView(editor, request);
-  request.frame = editor.frame;
-  request.layer = editor.viewport.mode.layer;
-  request.region = wantedRegion(editor);
+  request.graph = editor.session.document.root();
+  request.revision = editor.session.document.revision();
+  request.view = shownView(editor.session, editor.shown);
+  request.size = editor.shown.renderSize;
+  if (linkedCamera(editor.session, request.view).empty()) request.freeCamera = editor.shown.freeCamera;
+  request.folder = editor.session.document.path().parent_path();
+  applyLightView(editor.session, editor.clock, editor.shown, request);
+  request.frame = editor.clock.frame;
+  request.layer = editor.shown.mode.layer;
+  request.region = wantedRegion(editor.shown);
   request.draftMs = editor.settings.draftMs;
   return request;
 }
@@ -65,14 +92,15 @@ void evaluate(Editor& editor) {
   // Several steps a frame, so that drawing the window costs a refinement little; but input comes first: while
   // events wait, the picture does.
   const Stopwatch clock;
-  while (!editor.window->inputPending()) {
-    editor.preview.step(previewRequest(editor));
-    if (editor.preview.complete() || !editor.preview.wantsFrame() || clock.ms() > kSliceMs) break;
-    editor.window->waitEvents(0);
+  while (!editor.window.inputPending()) {
+    editor.shown.preview.step(previewRequest(editor));
+    if (editor.shown.preview.complete() || !editor.shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;
+    editor.window.waitEvents(0);
   }
-  if (editor.window->inputPending()) return;
+  if (editor.window.inputPending()) return;
   if (const double left = kSliceMs - clock.ms(); left > 0)
-    labWantsFrame(editor) ? stepLab(editor, left) : stepCompare(editor, left);
+    labWantsFrame(editor.shown, editor.lab) ? stepLab(editor.ui, editor.shown, editor.lab, left)
+                                            : stepCompare(editor.messages, editor.shown, left);
   if (auto outcome = editor.exporter.step()) {
     if (*outcome)
       editor.messages.info("Exported " + outcome->value().string());
@@ -84,19 +112,20 @@ void evaluate(Editor& editor) {
 void drawFrame(Editor& editor) {
   editor.trace.begin();
   handleKeys(editor);
-  stepPlayback(editor);
+  stepPlayback(editor.session, editor.clock, editor.shown.preview.answered());
   drawPanels(editor);
-  editor.browser.draw(editor);
-  drawStart(editor);
+  editor.modals.browser.draw(editor.ui, editor.settings, editor.window.keys(),
+                             editor.session.document.path().parent_path());
+  drawStart(editor.ui, editor.settings, editor.pictures, editor.start);
   drawDialogs(editor);
   drawCommandPalette(editor);
-  drawTour(editor);
+  drawTour(editor.ui, editor.settings, editor.tour);
 }
 
 /// What a crash report would list.
 void noteEvents(const Editor& editor) {
   static std::string step;
-  for (const KeyPress& key : editor.window->keys())
+  for (const KeyPress& key : editor.window.keys())
     crash::note(fmt::format("key {}{}{}{}", key.ctrl ? "Ctrl+" : "", key.shift ? "Shift+" : "",
                             key.alt ? "Alt+" : "", key.key));
   const ImGuiIO& io = ImGui::GetIO();
@@ -104,52 +133,52 @@ void noteEvents(const Editor& editor) {
     if (ImGui::IsMouseClicked(b))
       crash::note(fmt::format("button {} at {:.0f}, {:.0f}", b, static_cast<double>(io.MousePos.x),
                               static_cast<double>(io.MousePos.y)));
-  if (const std::string label = editor.document.undoLabel(); label != step) {
+  if (const std::string label = editor.session.document.undoLabel(); label != step) {
     step = label;
     crash::note("step: " + label);
-    crash::setGraph(editor.document.path().string());
+    crash::setGraph(editor.session.document.path().string());
   }
 }
 
 /// Unsaved work is kept while nothing moves; a program that is ended from outside keeps it at once.
 void protectWork(Editor& editor) {
-  const nodes::Document& d = editor.document;
+  const nodes::Document& d = editor.session.document;
   const bool resting = !ImGui::IsAnyMouseDown() && !editor.canvas.interaction.busy();
-  editor.recovery.watch(d.root(), d.revision(), d.path(), d.dirty(), resting);
-  if (const std::string error = editor.recovery.takeError(); !error.empty())
+  editor.session.recovery.watch(d.root(), d.revision(), d.path(), d.dirty(), resting);
+  if (const std::string error = editor.session.recovery.takeError(); !error.empty())
     editor.messages.warn("Unsaved work could not be kept for recovery: " + error);
   if (endSignal() == 0) return;
   if (d.dirty())
-    if (const Result<void> saved = editor.recovery.saveNow(d.root(), d.path()); !saved)
+    if (const Result<void> saved = editor.session.recovery.saveNow(d.root(), d.path()); !saved)
       log::error("{}", saved.error().message);
   editor.quit = true;
 }
 
 void handleWindow(Editor& editor) {
-  if (editor.window->closeRequested()) {
-    editor.window->cancelClose();
-    if (!editor.dialogs.afterUnsaved) withSavedDocument(editor, [](Editor& e) { e.quit = true; });
+  if (editor.window.closeRequested()) {
+    editor.window.cancelClose();
+    if (!editor.modals.afterUnsaved) withSavedDocument(editor, [&editor] { editor.quit = true; });
   }
-  editor.drops.take(editor.window->takeDroppedFiles());
-  editor.drops.step(editor);
-  editor.window->setTitle(std::string(editor.document.dirty() ? "\xe2\x80\xa2 " : "") + documentName(editor) +
-                          " \xe2\x80\x93 Pileus");
+  editor.drops.take(editor.window.takeDroppedFiles());
+  takeDrops(editor);
+  editor.window.setTitle(std::string(editor.session.document.dirty() ? "\xe2\x80\xa2 " : "") +
+                         documentName(editor.session) + " \xe2\x80\x93 Pileus");
 }
 
 /// Is there work that can go on at once?
 bool busy(const Editor& editor) {
-  return editor.preview.wantsFrame() || editor.exporter.wantsFrame() || compareWantsFrame(editor) ||
-         labWantsFrame(editor);
+  return editor.shown.preview.wantsFrame() || editor.exporter.wantsFrame() ||
+         compareWantsFrame(editor.shown) || labWantsFrame(editor.shown, editor.lab);
 }
 
 /// Seconds until the next frame is due when nothing happens; 0 = at once.
 double idleSeconds(const Editor& editor, int settling) {
-  if (settling > 0 || editor.window->inputPending()) return 0;
+  if (settling > 0 || editor.window.inputPending()) return 0;
   if (busy(editor)) return 0;
-  if (displayWantsFrame(editor)) return 0.004;
-  if (const double due = playbackDueIn(editor); due >= 0) return due;
-  if (editor.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
-  if (ImGui::GetIO().WantTextInput) return 0.4;                          // the caret blinks
+  if (displayWantsFrame(editor.shown, editor.settings, editor.viewport)) return 0.004;
+  if (const double due = playbackDueIn(editor.clock); due >= 0) return due;
+  if (editor.shown.preview.waiting() || editor.exporter.active()) return 0.1;  // progress of a job
+  if (ImGui::GetIO().WantTextInput) return 0.4;                                // the caret blinks
   if (editor.viewport.wheelEdit) return 0.25;
   for (const PointerRest* rest : {&editor.parameters.rest, &editor.timeline.rest})
     if (const double due = helpDueIn(*rest); due > 0) return due;
@@ -157,7 +186,7 @@ double idleSeconds(const Editor& editor, int settling) {
   // A notice is drawn while it fades, and once more when it is gone.
   if (const double left = editor.messages.msLeft(); left >= 0)
     due = std::clamp((left - 300) / 1000, 0.05, 30.0);
-  if (const double recovery = editor.recovery.dueSeconds(); recovery >= 0)
+  if (const double recovery = editor.session.recovery.dueSeconds(); recovery >= 0)
     due = std::min(due, recovery + 0.05);
   return due;
 }
@@ -165,27 +194,29 @@ double idleSeconds(const Editor& editor, int settling) {
 }  // namespace
 
 void runFrame(Editor& editor, int& settling) {
-  editor.window->waitEvents(idleSeconds(editor, settling));
+  editor.window.waitEvents(idleSeconds(editor, settling));
   const Stopwatch clock;
   const ThreadStopwatch cpu;
   followLook(editor);
-  editor.window->beginFrame();
-  settling = editor.window->hadInput() ? kSettlingFrames : std::max(0, settling - 1);
+  editor.window.beginFrame();
+  settling = editor.window.hadInput() ? kSettlingFrames : std::max(0, settling - 1);
   editor.pictures.beginFrame();
   drawFrame(editor);
-  editor.window->finishUi();
-  editor.uiMs = cpu.ms() - editor.trace.ms;
+  editor.window.finishUi();
+  editor.now.uiMs = cpu.ms() - editor.trace.ms;
   noteEvents(editor);
   if (editor.pictures.wantsFrame()) settling = std::max(settling, 1);
-  const bool worked = busy(editor), unfinished = !editor.preview.complete();
+  const bool worked = busy(editor), unfinished = !editor.shown.preview.complete();
   evaluate(editor);
   // What the last step of some work has changed is drawn by one frame more.
-  if (worked || (unfinished && editor.preview.complete())) settling = std::max(settling, 1);
-  handleWindow(editor);
+  if (worked || (unfinished && editor.shown.preview.complete())) settling = std::max(settling, 1);
   protectWork(editor);
-  editor.window->endFrame(palette::kBackground);
-  editor.trace.end(editor);
-  editor.frameMs = clock.ms();
+  editor.window.endFrame(palette::kBackground);
+  // Nothing that was drawn with is replaced before it is on the screen.
+  handleWindow(editor);
+  if (carryOutRequests(editor)) settling = std::max(settling, 1);
+  writeTrace(editor);
+  editor.now.frameMs = clock.ms();
 }
 
 int withEditor(const EditorOptions& options, const std::function<void(Editor&)>& use) {
@@ -210,19 +241,18 @@ int withEditor(const EditorOptions& options, const std::function<void(Editor&)>&
   (*window)->startUi();
   setJobNotifier([] { Window::wake(); });
   {
-    Editor editor(**window, std::move(*renderer), std::move(theme));
-    editor.settings = settings;
-    editor.uiScale = chosen;
+    Editor editor(**window, std::move(*renderer), std::move(theme), settings);
+    editor.now.uiScale = chosen;
     if (options.file.empty())
       openPreset(editor, "default.json");
     else
       openFile(editor, options.file);
-    const gl::DeviceInfo& device = editor.renderer->device();
+    const gl::DeviceInfo& device = editor.shown.renderer.device();
     crash::setDevice(device.renderer + ", " + device.version);
-    beginStart(editor, options.file.empty() && editor.settings.showStart);
+    beginStart(editor.settings, editor.start, options.file.empty() && editor.settings.showStart);
     use(editor);
     // Saved or given up, unless somebody else ended the program.
-    if (endSignal() == 0) editor.recovery.discard();
+    if (endSignal() == 0) editor.session.recovery.discard();
     editor.settings.window = (*window)->size();
     if (const Result<void> saved = saveSettings(folder, editor.settings); !saved)
       log::warn("{}", saved.error().message);

@@ -7,8 +7,14 @@
 #include <vector>
 
 #include "editor/app/app.h"
-#include "editor/app/editor.h"
 #include "editor/cli/big_graph.h"
+#include "editor/document/session.h"
+#include "editor/editor.h"
+#include "editor/graph_view/canvas.h"
+#include "editor/picture/shown.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/ui_trace.h"
+#include "editor/toolkit/window.h"
 #include "renderer/base/file.h"
 #include "renderer/base/log.h"
 
@@ -33,7 +39,8 @@ double median(std::vector<double> values) {
 /// Draws until nothing more will come, `seconds` at most.
 void settle(Editor& editor, double seconds) {
   const Stopwatch clock;
-  for (int frames = 0; clock.ms() < 1e3 * seconds && (frames < kSettlingFrames || !editor.preview.settled());
+  for (int frames = 0;
+       clock.ms() < 1e3 * seconds && (frames < kSettlingFrames || !editor.shown.preview.settled());
        ++frames) {
     int settling = kSettlingFrames;  // never sleeps here
     runFrame(editor, settling);
@@ -54,10 +61,10 @@ Costs wander(Editor& editor) {
   std::vector<double> ui, frame;
   int settling = kSettlingFrames;
   for (int i = 0; i < kFrames; ++i) {
-    editor.window->push({Kind::Move, middle + dvec2(7 * (i % 30) - 100, 3 * (i % 20) - 30)});
+    editor.window.push({Kind::Move, middle + dvec2(7 * (i % 30) - 100, 3 * (i % 20) - 30)});
     runFrame(editor, settling);
-    ui.push_back(editor.uiMs);
-    frame.push_back(editor.frameMs);
+    ui.push_back(editor.now.uiMs);
+    frame.push_back(editor.now.frameMs);
   }
   editor.trace.collect(true);
   return {median(ui), median(frame)};
@@ -87,23 +94,23 @@ int canvasRow(int nodes, double fps) {
 std::vector<double> dragTimes(Editor& editor, dvec2 at) {
   std::vector<double> times;
   int settling = kSettlingFrames;
-  editor.window->push({Kind::Move, at});
+  editor.window.push({Kind::Move, at});
   runFrame(editor, settling);
-  editor.window->push({Kind::Button, at, 0, true});
+  editor.window.push({Kind::Button, at, 0, true});
   runFrame(editor, settling);
   for (int i = 1; i <= kDragSteps; ++i) {
-    const auto before = editor.preview.picture();
-    const std::uint64_t revision = editor.document.revision();
-    editor.window->push({Kind::Move, at + dvec2(4 * i, 0)});
+    const auto before = editor.shown.preview.picture();
+    const std::uint64_t revision = editor.session.document.revision();
+    editor.window.push({Kind::Move, at + dvec2(4 * i, 0)});
     const Stopwatch clock;
     while (clock.ms() < 3000 &&
-           (editor.preview.picture() == before || editor.document.revision() == revision)) {
+           (editor.shown.preview.picture() == before || editor.session.document.revision() == revision)) {
       settling = kSettlingFrames;
       runFrame(editor, settling);
     }
     times.push_back(clock.ms());
   }
-  editor.window->push({Kind::Button, at + dvec2(4 * kDragSteps, 0), 0, false});
+  editor.window.push({Kind::Button, at + dvec2(4 * kDragSteps, 0), 0, false});
   runFrame(editor, settling);
   return times;
 }
@@ -128,7 +135,7 @@ int defaultRows() {
   const int code = withEditor({}, [&](Editor& editor) {
     editor.trace.collect(true);
     settle(editor, 120);
-    editor.document.select({"Sun"});
+    editor.session.document.select({"Sun"});
     settle(editor, 5);
     dvec2 at;
     if (!middleOf(editor, "param/elevation", at)) {

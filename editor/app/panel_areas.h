@@ -3,7 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "editor/app/editor.h"
+#include "editor/exchange/panel.h"
+#include "editor/preferences/panel_layout.h"
+#include "editor/toolkit/theme.h"
 #include "renderer/base/math.h"
 
 namespace pileus::editor {

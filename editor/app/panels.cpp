@@ -6,6 +6,9 @@
 
 #include "editor/app/panel_areas.h"
 #include "editor/commands/menu.h"
+#include "editor/commands/panel_commands.h"
+#include "editor/document/session.h"
+#include "editor/editor.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/canvas_menus.h"
@@ -14,12 +17,18 @@
 #include "editor/lab/ray_scope.h"
 #include "editor/parameters/parameters.h"
 #include "editor/picture/compare_mode.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/preferences/panel_list.h"
+#include "editor/preferences/settings.h"
 #include "editor/status/log_panel.h"
 #include "editor/status/status_line.h"
 #include "editor/status/toasts.h"
 #include "editor/timeline_view/timeline_panel.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/ui_trace.h"
 #include "editor/toolkit/widgets.h"
 #include "editor/viewport/viewport.h"
 
@@ -29,27 +38,33 @@ namespace {
 constexpr float kBar = 36, kGrip = 6;
 
 void drawGraphPanel(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
-  drawCanvas(editor, min, max, hovered);
-  drawCanvasMenu(editor);
-  drawFrameTitleField(editor);
-  drawSearch(editor);
-  drawFind(editor);
+  drawCanvas(editor.graphRoom, min, max, hovered);
+  drawCanvasMenu(editor.graphRoom);
+  drawFrameTitleField(editor.ui, editor.session, editor.canvas);
+  drawSearch(editor.ui, editor.session, editor.settings, editor.canvas);
+  drawFind(editor.ui, editor.session, editor.clock, editor.canvas);
 }
 
-const PanelInfo kPanels[] = {
-    {Panel::Viewport, "viewport", "Viewport", &PanelLayout::showViewport, kBar, 0, drawViewport},
-    {Panel::Graph, "graph", "Graph", &PanelLayout::showGraph, 0, 0, drawGraphPanel},
-    {Panel::Parameters, "parameters", "Parameters", &PanelLayout::showParameters, 0, 0,
-     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawParameters(e, min, max); }},
-    {Panel::Scope, "scope", "Ray Scope", &PanelLayout::showScope, kBar, kBar,
-     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawRayScope(e, min, max); }},
-    {Panel::Lab, "lab", "Lab", &PanelLayout::showLab, kBar, kBar,
-     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLab(e, min, max); }},
-    {Panel::Log, "log", "Log", &PanelLayout::showLog, kBar, kBar,
-     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawLog(e, min, max); }},
-    {Panel::Timeline, "timeline", "Timeline", &PanelLayout::showTimeline, kBar, kBar,
-     [](Editor& e, ImVec2 min, ImVec2 max, bool) { drawTimeline(e, min, max); }},
-};
+void drawContent(Editor& editor, Panel panel, ImVec2 min, ImVec2 max, bool hovered) {
+  switch (panel) {
+    case Panel::Viewport:
+      return drawViewport(editor.viewportRoom, min, max, hovered);
+    case Panel::Graph:
+      return drawGraphPanel(editor, min, max, hovered);
+    case Panel::Parameters:
+      return drawParameters(editor.parameterRoom, min, max);
+    case Panel::Scope:
+      return drawRayScope(editor.ui, editor.shown, editor.settings, editor.scope, min, max);
+    case Panel::Lab:
+      return drawLab(editor.labRoom, min, max);
+    case Panel::Log:
+      return drawLog(editor.ui, editor.logPanel, min, max);
+    case Panel::Timeline:
+      return drawTimeline(editor.timelineRoom, min, max);
+    case Panel::Global:
+      return;
+  }
+}
 
 constexpr ImGuiWindowFlags kFixed =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -108,7 +123,7 @@ void drawCorner(Editor& editor, const PanelInfo& info, const PanelRect& r) {
                  ~ImGuiWindowFlags_NoBringToFrontOnFocus);
   const float size = corner.max.y - corner.min.y;
   ImGui::GetWindowDrawList()->AddRectFilled(im(corner.min), im(corner.max), palette::kBar, theme.px(4));
-  const bool whole = editor.maximised == info.panel;
+  const bool whole = editor.now.maximised == info.panel;
   if (cornerButton(editor, im(corner.min), size, whole ? icon::kCompress : icon::kExpand, trace + "/maximise",
                    whole ? "Back to all panels (Ctrl+Space)" : "Fill the window (Ctrl+Space)"))
     toggleMaximised(editor, info.panel);
@@ -125,7 +140,7 @@ bool drawPanel(Editor& editor, const PanelInfo& info, const PanelRect& r) {
   beginFixed((std::string("##") + info.id).c_str(), im(r.min), im(r.max), kFixed);
   const bool over =
       ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  info.draw(editor, im(r.min), im(r.max), ImGui::IsWindowHovered() && !inCorner);
+  drawContent(editor, info.panel, im(r.min), im(r.max), ImGui::IsWindowHovered() && !inCorner);
   // Double click on the empty part of its bar.
   const PanelRect bar{r.min, {r.max.x, r.min.y + editor.theme.px(info.bar)}};
   if (info.bar > 0 && over && inside(bar, mouse) && ImGui::IsMouseDoubleClicked(0) &&
@@ -170,68 +185,24 @@ void drawSplitter(Editor& editor, const PanelSplitter& s) {
 
 }  // namespace
 
-std::span<const PanelInfo> allPanels() { return kPanels; }
-
-const PanelInfo& panelInfo(Panel panel) {
-  for (const PanelInfo& info : kPanels)
-    if (info.panel == panel) return info;
-  return kPanels[0];
-}
-
-bool panelOpen(const Editor& editor, Panel panel) {
-  if (panel == Panel::Global) return true;
-  return editor.settings.*panelInfo(panel).shown &&
-         (editor.maximised == Panel::Global || editor.maximised == panel);
-}
-
-void setPanelOpen(Editor& editor, Panel panel, bool open) {
-  const PanelInfo& info = panelInfo(panel);
-  if (panel == Panel::Global) return;
-  editor.settings.*info.shown = open;
-  if (!open && (panel == Panel::Viewport || panel == Panel::Graph))
-    editor.settings.*panelInfo(panel == Panel::Viewport ? Panel::Graph : Panel::Viewport).shown = true;
-  if (panel == Panel::Scope && !open) editor.scope.picking = false;
-  editor.maximised = Panel::Global;
-}
-
-void toggleMaximised(Editor& editor, Panel panel) {
-  if (editor.maximised != Panel::Global)
-    editor.maximised = Panel::Global;
-  else if (panel != Panel::Global)
-    editor.maximised = panel;
-}
-
-void revealPanel(Editor& editor, Panel panel) {
-  if (!panelOpen(editor, panel)) setPanelOpen(editor, panel, true);
-}
-
-void useLayout(Editor& editor, std::string_view name) {
-  const NamedLayout* layout = findLayout(editor.settings.layouts, name);
-  if (!layout) return;
-  static_cast<PanelLayout&>(editor.settings) = layout->panels;
-  editor.maximised = Panel::Global;
-  // The layout for comparing is of little use without a comparison.
-  if (name == "Compare" && !editor.compare.on && !shownView(editor).empty()) toggleCompare(editor);
-}
-
 void drawPanels(Editor& editor) {
   const float top = drawMenuBar(editor);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float bottom = std::max(display.y - editor.theme.px(26), top + 1);
   // A panel that was closed in another way while it filled the window gives it back.
-  if (editor.maximised != Panel::Global && !(editor.settings.*panelInfo(editor.maximised).shown))
-    editor.maximised = Panel::Global;
+  if (editor.now.maximised != Panel::Global && !(editor.settings.*panelInfo(editor.now.maximised).shown))
+    editor.now.maximised = Panel::Global;
   const PanelAreas areas =
-      panelAreas(editor.settings, editor.maximised, {0, top}, {display.x, bottom}, editor.theme);
+      panelAreas(editor.settings, editor.now.maximised, {0, top}, {display.x, bottom}, editor.theme);
   Panel hovered = Panel::Global;
-  for (const PanelInfo& info : kPanels)
+  for (const PanelInfo& info : allPanels())
     if (!areas[info.panel].empty() && drawPanel(editor, info, areas[info.panel])) hovered = info.panel;
   beginFixed("##status", {0, bottom}, display, kFixed);
-  drawStatusLine(editor, {0, bottom}, display);
+  drawStatusLine(editor.statusRoom, {0, bottom}, display);
   ImGui::End();
   for (const PanelSplitter& s : areas.splitters) drawSplitter(editor, s);
-  drawToasts(editor, {display.x, bottom});
-  editor.hovered = hovered;
+  drawToasts(editor.ui, {display.x, bottom});
+  editor.now.hovered = hovered;
 }
 
 }  // namespace pileus::editor

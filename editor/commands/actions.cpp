@@ -8,6 +8,9 @@
 
 #include "editor/commands/menu.h"
 #include "editor/commands/table.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/ui_trace.h"
+#include "editor/toolkit/window.h"
 
 namespace pileus::editor {
 namespace {
@@ -103,7 +106,7 @@ std::string shortcutText(const Shortcut& s) {
 bool runShortcut(Editor& editor, const KeyPress& press) {
   const Shortcut wanted = {press.key, press.ctrl, press.shift, press.alt};
   const bool typing = ImGui::GetIO().WantTextInput;
-  for (const Panel panel : {editor.hovered, Panel::Global}) {
+  for (const Panel panel : {editor.now.hovered, Panel::Global}) {
     for (const Action& a : allActions()) {
       if (a.panel != panel || (typing && !a.whileTyping)) continue;
       if (std::find(a.keys.begin(), a.keys.end(), wanted) == a.keys.end()) continue;
@@ -115,14 +118,18 @@ bool runShortcut(Editor& editor, const KeyPress& press) {
   return false;
 }
 
-void actionMenuItem(Editor& editor, std::string_view id) {
+bool runCommand(Editor& editor, std::string_view id) {
+  const Action* action = findAction(id);
+  if (!action || (action->enabled && !action->enabled(editor))) return false;
+  action->run(editor);
+  return true;
+}
+
+std::optional<CommandLook> commandLook(const Editor& editor, std::string_view id) {
   const Action* a = findAction(id);
-  if (!a) return;
-  const bool on = a->checked && a->checked(editor);
-  if (ImGui::MenuItemEx(a->label, actionIcon(id), shortcutText(a->keys[0]).c_str(), on,
-                        !a->enabled || a->enabled(editor)))
-    run(editor, *a);
-  editor.trace.item("menu/" + std::string(id));
+  if (!a) return std::nullopt;
+  return CommandLook{a->label, actionIcon(id), shortcutText(a->keys[0]), !a->enabled || a->enabled(editor),
+                     a->checked && a->checked(editor)};
 }
 
 }  // namespace pileus::editor

@@ -8,14 +8,17 @@
 #include <filesystem>
 #include <numeric>
 
-#include "editor/app/editor.h"
-#include "editor/app/panels.h"
 #include "editor/commands/actions.h"
+#include "editor/commands/files.h"
 #include "editor/commands/menu.h"
-#include "editor/document/files.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/editor.h"
+#include "editor/exchange/requests.h"
 #include "editor/graph_view/search/fuzzy.h"
+#include "editor/preferences/panel_list.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/ui_trace.h"
 #include "embedded_presets.h"
 
 namespace pileus::editor {
@@ -33,25 +36,20 @@ std::vector<PaletteEntry> allCommands(const Editor& editor) {
     std::replace(c.place.begin(), c.place.end(), '/', ' ');
     c.enabled = !a.enabled || a.enabled(editor);
     c.checked = a.checked && a.checked(editor);
-    c.run = [action = &a](Editor& e) {
-      revealPanel(e, action->panel);
-      if (!action->enabled || action->enabled(e)) action->run(e);
-    };
+    c.panel = a.panel;
+    c.request = RunCommand{a.id};
     all.push_back(std::move(c));
   }
   for (const EmbeddedFile& file : embedded_presets()) {
     if (file.path.find('/') != std::string_view::npos || !file.path.ends_with(".json")) continue;
     const std::string name(file.path);
-    all.push_back({presetLabel(name), "Preset", "", "preset:" + name, true, false, [name](Editor& e) {
-                     withSavedDocument(e, [name](Editor& editor2) { openPreset(editor2, name); });
-                   }});
+    all.push_back(
+        {presetLabel(name), "Preset", "", "preset:" + name, true, false, Panel::Global, OpenPreset{name}});
   }
   std::error_code ec;
   for (const std::string& path : editor.settings.recentFiles)
     all.push_back({std::filesystem::path(path).filename().string(), "Recent file", "", "file:" + path,
-                   std::filesystem::exists(path, ec), false, [path](Editor& e) {
-                     withSavedDocument(e, [path](Editor& editor2) { openFile(editor2, path); });
-                   }});
+                   std::filesystem::exists(path, ec), false, Panel::Global, OpenFile{path}});
   return all;
 }
 
@@ -193,7 +191,8 @@ void drawCommandPalette(Editor& editor) {
     const PaletteEntry command = p.found[static_cast<std::size_t>(run)];
     remember(editor.settings.recentCommands, command.id);
     ImGui::CloseCurrentPopup();
-    command.run(editor);
+    if (command.panel != Panel::Global) editor.requests.push(ShowPanel{command.panel});
+    editor.requests.push(command.request);
   }
   ImGui::EndPopup();
 }

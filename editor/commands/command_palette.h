@@ -1,8 +1,9 @@
 #pragma once
 // Every command, preset and recent file in one list that is searched by typing.
-#include <functional>
 #include <string>
 #include <vector>
+
+#include "editor/exchange/requests.h"
 
 namespace pileus::editor {
 
@@ -12,7 +13,8 @@ struct PaletteEntry {
   std::string label, place, keys;  ///< "Save As…", "File", "Ctrl+Shift+S"
   std::string id;                  ///< of an action; "preset:NAME", "file:PATH"
   bool enabled = true, checked = false;
-  std::function<void(Editor&)> run;
+  Panel panel = Panel::Global;  ///< is shown before it runs
+  Request request;
 };
 
 struct CommandPalette {

@@ -1,61 +1,70 @@
 // Commands of documents.
+#include "editor/commands/drop_commands.h"
+#include "editor/commands/files.h"
 #include "editor/commands/table.h"
-#include "editor/document/files.h"
 #include "editor/picture/shown_camera.h"
 
 namespace pileus::editor {
 namespace {
 
-bool hasView(const Editor& e) { return !shownView(e).empty(); }
+bool hasView(const Editor& e) { return !shownView(e.session, e.shown).empty(); }
 void quit(Editor& e) {
-  withSavedDocument(e, [](Editor& editor) { editor.quit = true; });
+  withSavedDocument(e, [&e] { e.quit = true; });
 }
 
 using P = Panel;
 
 const Action kActions[] = {
-    {"file.new", "New", "File", P::Global, {ctrl(GLFW_KEY_N)}, newDocument, nullptr, nullptr, false, true},
-    {"file.open",
-     "Open\xe2\x80\xa6",
-     "File",
-     P::Global,
-     {ctrl(GLFW_KEY_O)},
-     askOpen,
-     nullptr,
-     nullptr,
-     false,
-     true},
-    {"file.import_vdb", "Import VDB\xe2\x80\xa6", "File", P::Global, {}, askImportVdb},
-    {"file.save",
-     "Save",
-     "File",
-     P::Global,
-     {ctrl(GLFW_KEY_S)},
-     [](Editor& e) { save(e); },
-     nullptr,
-     nullptr,
-     true,
-     true},
-    {"file.save_as",
-     "Save As\xe2\x80\xa6",
-     "File",
-     P::Global,
-     {ctrlShift(GLFW_KEY_S)},
-     [](Editor& e) { saveAs(e); },
-     nullptr,
-     nullptr,
-     false,
-     true},
-    {"file.export",
-     "Export EXR\xe2\x80\xa6",
-     "File",
-     P::Global,
-     {ctrl(GLFW_KEY_E)},
-     askExport,
-     hasView,
-     nullptr,
-     true},
-    {"file.quit", "Quit", "File", P::Global, {ctrl(GLFW_KEY_Q)}, quit, nullptr, nullptr, true, true},
+    {.id = "file.new",
+     .label = "New",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_N)},
+     .run = newDocument,
+     .whileTyping = true},
+    {.id = "file.open",
+     .label = "Open\xe2\x80\xa6",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_O)},
+     .run = askOpen,
+     .whileTyping = true},
+    {.id = "file.import_vdb",
+     .label = "Import VDB\xe2\x80\xa6",
+     .menu = "File",
+     .panel = P::Global,
+     .run = askImportVdb},
+    {.id = "file.save",
+     .label = "Save",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_S)},
+     .run = [](Editor& e) { save(e); },
+     .separator = true,
+     .whileTyping = true},
+    {.id = "file.save_as",
+     .label = "Save As\xe2\x80\xa6",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {ctrlShift(GLFW_KEY_S)},
+     .run = [](Editor& e) { saveAs(e); },
+     .whileTyping = true},
+    {.id = "file.export",
+     .label = "Export EXR\xe2\x80\xa6",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_E)},
+     .run = askExport,
+     .enabled = hasView,
+     .separator = true},
+    {.id = "file.quit",
+     .label = "Quit",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_Q)},
+     .run = quit,
+     .separator = true,
+     .whileTyping = true},
 };
 
 }  // namespace

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "editor/app/panels.h"
 #include "editor/commands/actions.h"
+#include "editor/commands/panel_commands.h"
+#include "editor/preferences/panel_list.h"
 
 namespace pileus::editor {
 namespace {

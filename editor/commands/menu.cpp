@@ -9,12 +9,19 @@
 #include <filesystem>
 #include <utility>
 
-#include "editor/app/look.h"
-#include "editor/app/panels.h"
 #include "editor/commands/actions.h"
-#include "editor/document/files.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/commands/files.h"
+#include "editor/commands/look.h"
+#include "editor/commands/panel_commands.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/ui_trace.h"
+#include "editor/editor.h"
 #include "embedded_presets.h"
 
 namespace pileus::editor {
@@ -37,7 +44,7 @@ void openMenus(Editor& editor) {
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::MenuItem(path.filename().c_str(), path.parent_path().c_str(), false,
                           bar.recentThere[i] != 0))
-        withSavedDocument(editor, [path](Editor& e) { openFile(e, path); });
+        withSavedDocument(editor, [&editor, path] { openFile(editor, path); });
       editor.trace.item(fmt::format("recent/{}", i));
       if (!bar.recentThere[i] && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("This file is no longer there.");
@@ -56,7 +63,7 @@ void openMenus(Editor& editor) {
   for (const EmbeddedFile& file : embedded_presets()) {
     if (file.path.find('/') != std::string_view::npos || !file.path.ends_with(".json")) continue;
     if (ImGui::MenuItem(presetLabel(file.path).c_str()))
-      withSavedDocument(editor, [name = std::string(file.path)](Editor& e) { openPreset(e, name); });
+      withSavedDocument(editor, [&editor, name = std::string(file.path)] { openPreset(editor, name); });
     editor.trace.item("preset/" + std::string(file.path));
   }
   ImGui::EndMenu();
@@ -102,7 +109,7 @@ void scaleMenu(Editor& editor) {
   ImGui::Separator();
   for (const float scale : uiScaleSteps()) {
     const std::string label = fmt::format("{:.0f} %", scale * 100);
-    if (ImGui::MenuItem(label.c_str(), nullptr, std::abs(editor.uiScale - scale) < 0.005f))
+    if (ImGui::MenuItem(label.c_str(), nullptr, std::abs(editor.now.uiScale - scale) < 0.005f))
       chooseUiScale(editor, scale);
     editor.trace.item("scale/" + label);
   }
@@ -136,7 +143,7 @@ void drawMenu(Editor& editor, std::string_view path) {
       drawn.push_back(place);
       drawSubmenu(editor, place);
     } else {
-      actionMenuItem(editor, action.id);
+      commandMenuItem(editor.ui, action.id);
       if (std::string_view(action.id) == "file.open") openMenus(editor);
     }
   }
@@ -145,7 +152,8 @@ void drawMenu(Editor& editor, std::string_view path) {
 /// The document's name at the right end of the bar.
 void drawName(Editor& editor, float height) {
   const Theme& theme = editor.theme;
-  const std::string name = documentName(editor) + (editor.document.dirty() ? " \xe2\x80\xa2" : "");
+  const std::string name =
+      documentName(editor.session) + (editor.session.document.dirty() ? " \xe2\x80\xa2" : "");
   const float width = textWidth(theme.small, name), right = ImGui::GetWindowWidth() - theme.space(3);
   if (right - width > ImGui::GetCursorPosX())
     drawText(ImGui::GetWindowDrawList(), theme.small,

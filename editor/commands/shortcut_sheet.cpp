@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/editor.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/modals.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui_trace.h"
 
 namespace pileus::editor {
 namespace {
@@ -40,7 +43,7 @@ void drawRow(const Theme& theme, float x, float& y, float width, const KeyRow& r
 
 void drawShortcutSheet(Editor& editor) {
   const Theme& theme = editor.theme;
-  ShortcutSheet& sheet = editor.dialogs.sheet;
+  ShortcutSheet& sheet = editor.sheet;
   if (ImGui::IsWindowAppearing()) {
     sheet.map = keyboardMap();
     sheet.words.clear();

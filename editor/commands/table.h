@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include "editor/commands/actions.h"
+#include "editor/editor.h"
 
 namespace pileus::editor {
 

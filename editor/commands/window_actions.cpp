@@ -1,7 +1,9 @@
 // Commands of the window: its panels, layouts and the scale of the interface.
-#include "editor/app/look.h"
-#include "editor/app/panels.h"
+#include "editor/commands/look.h"
+#include "editor/commands/panel_commands.h"
 #include "editor/commands/table.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -25,14 +27,17 @@ bool layoutShown(const Editor& e) {
   return static_cast<const PanelLayout&>(e.settings) == builtInLayouts()[kIndex].panels;
 }
 
-#define PANEL(kind, label, ...)                                                                         \
-  {                                                                                                     \
-    "view.panel_" #kind, label, "View/Panels", P::Global, {__VA_ARGS__}, togglePanel<P::kind>, nullptr, \
-        panelShown<P::kind>                                                                             \
+#define PANEL(kind, title, ...)                                                              \
+  {                                                                                          \
+    .id = "view.panel_" #kind, .label = title, .menu = "View/Panels", .keys = {__VA_ARGS__}, \
+    .run = togglePanel<P::kind>, .checked = panelShown<P::kind>                              \
   }
 
-#define LAYOUT(index, id, label) \
-  { "view.layout_" id, label, "View/Layouts", P::Global, {}, layout<index>, nullptr, layoutShown<index> }
+#define LAYOUT(index, name, title)                                                           \
+  {                                                                                          \
+    .id = "view.layout_" name, .label = title, .menu = "View/Layouts", .run = layout<index>, \
+    .checked = layoutShown<index>                                                            \
+  }
 
 const Action kActions[] = {
     PANEL(Viewport, "Viewport", alt(GLFW_KEY_1)),
@@ -47,37 +52,33 @@ const Action kActions[] = {
     LAYOUT(2, "look", "Look"),
     LAYOUT(3, "compare", "Compare"),
     LAYOUT(4, "animate", "Animate"),
-    {"view.maximise",
-     "Maximise Panel",
-     "View",
-     P::Global,
-     {ctrl(GLFW_KEY_SPACE)},
-     [](Editor& e) { toggleMaximised(e, e.hovered); },
-     nullptr,
-     [](const Editor& e) { return e.maximised != P::Global; }},
-    {"view.scale_up",
-     "Larger Interface",
-     "View/Interface Scale",
-     P::Global,
-     {ctrl(GLFW_KEY_EQUAL), ctrlShift(GLFW_KEY_EQUAL), ctrl(GLFW_KEY_KP_ADD)},
-     [](Editor& e) { stepUiScale(e, 1); },
-     nullptr,
-     nullptr,
-     true},
-    {"view.scale_down",
-     "Smaller Interface",
-     "View/Interface Scale",
-     P::Global,
-     {ctrl(GLFW_KEY_MINUS), ctrl(GLFW_KEY_KP_SUBTRACT)},
-     [](Editor& e) { stepUiScale(e, -1); }},
-    {"view.scale_screen",
-     "Size the Screen Asks For",
-     "View/Interface Scale",
-     P::Global,
-     {ctrl(GLFW_KEY_0), ctrl(GLFW_KEY_KP_0)},
-     [](Editor& e) { chooseUiScale(e, 0); },
-     nullptr,
-     [](const Editor& e) { return e.uiScale == 0; }},
+    {.id = "view.maximise",
+     .label = "Maximise Panel",
+     .menu = "View",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_SPACE)},
+     .run = [](Editor& e) { toggleMaximised(e, e.now.hovered); },
+     .checked = [](const Editor& e) { return e.now.maximised != P::Global; }},
+    {.id = "view.scale_up",
+     .label = "Larger Interface",
+     .menu = "View/Interface Scale",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_EQUAL), ctrlShift(GLFW_KEY_EQUAL), ctrl(GLFW_KEY_KP_ADD)},
+     .run = [](Editor& e) { stepUiScale(e, 1); },
+     .separator = true},
+    {.id = "view.scale_down",
+     .label = "Smaller Interface",
+     .menu = "View/Interface Scale",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_MINUS), ctrl(GLFW_KEY_KP_SUBTRACT)},
+     .run = [](Editor& e) { stepUiScale(e, -1); }},
+    {.id = "view.scale_screen",
+     .label = "Size the Screen Asks For",
+     .menu = "View/Interface Scale",
+     .panel = P::Global,
+     .keys = {ctrl(GLFW_KEY_0), ctrl(GLFW_KEY_KP_0)},
+     .run = [](Editor& e) { chooseUiScale(e, 0); },
+     .checked = [](const Editor& e) { return e.now.uiScale == 0; }},
 };
 
 }  // namespace

@@ -5,9 +5,18 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
-#include "editor/document/files.h"
+#include "editor/commands/files.h"
+#include "editor/commands/shortcut_sheet.h"
+#include "editor/document/session.h"
+#include "editor/editor.h"
+#include "editor/exchange/messages.h"
+#include "editor/exchange/requests.h"
+#include "editor/picture/shown.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/modals.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui_trace.h"
+#include "editor/toolkit/window.h"
 
 namespace pileus::editor {
 namespace {
@@ -52,9 +61,9 @@ bool pressedEscape() {
 }
 
 void drawUnsaved(Editor& editor) {
-  Dialogs& d = editor.dialogs;
+  Modals& d = editor.modals;
   if (!beginModal(editor, "Unsaved changes", static_cast<bool>(d.afterUnsaved), 460)) return;
-  heading(editor, ("Save changes to " + documentName(editor) + "?").c_str());
+  heading(editor, ("Save changes to " + documentName(editor.session) + "?").c_str());
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted("What you changed since it was last saved is lost otherwise.");
   ImGui::PopTextWrapPos();
@@ -65,14 +74,14 @@ void drawUnsaved(Editor& editor) {
   };
   if (button(editor, "Save", "save", true) || pressedEnter()) save(editor, close());
   ImGui::SameLine();
-  if (button(editor, "Discard", "discard")) close()(editor);
+  if (button(editor, "Discard", "discard")) editor.requests.push(close());
   ImGui::SameLine();
   if (button(editor, "Cancel", "cancel") || pressedEscape()) close();
   ImGui::EndPopup();
 }
 
 void drawFaults(Editor& editor) {
-  Dialogs& d = editor.dialogs;
+  Modals& d = editor.modals;
   if (!beginModal(editor, "Faults", !d.faults.empty(), 640)) return;
   heading(editor, (d.faultsOf + " was opened with some faults").c_str());
   ImGui::PushTextWrapPos();
@@ -82,13 +91,13 @@ void drawFaults(Editor& editor) {
   ImGui::BeginChild(
       "list", {0, editor.theme.px(std::min(260.0f, 30.0f + 26.0f * static_cast<float>(d.faults.size())))},
       true, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  for (const nodes::Fault& f : d.faults) {
+  for (const Modals::Fault& f : d.faults) {
     ImGui::PushStyleColor(ImGuiCol_Text, f.error ? palette::kError : palette::kWarning);
     ImGui::TextUnformatted(f.error ? icon::kError : icon::kWarning);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, editor.theme.space(2));
     ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted((f.where.empty() ? f.text : f.where + ": " + f.text).c_str());
+    ImGui::TextUnformatted(f.text.c_str());
     ImGui::PopTextWrapPos();
   }
   ImGui::EndChild();
@@ -100,7 +109,7 @@ void drawFaults(Editor& editor) {
 }
 
 void drawError(Editor& editor) {
-  Dialogs& d = editor.dialogs;
+  Modals& d = editor.modals;
   if (!beginModal(editor, "Error", !d.errorText.empty(), 520)) return;
   heading(editor, d.errorTitle.c_str());
   ImGui::PushTextWrapPos();
@@ -116,7 +125,7 @@ void drawError(Editor& editor) {
 }
 
 void drawShortcuts(Editor& editor) {
-  Dialogs& d = editor.dialogs;
+  Modals& d = editor.modals;
   const float room = (ImGui::GetIO().DisplaySize.x - editor.theme.space(10)) / editor.theme.scale;
   if (!beginModal(editor, "Shortcuts", d.shortcuts, std::min(1120.0f, room))) return;
   heading(editor, "Keyboard and mouse");
@@ -135,8 +144,8 @@ struct Fact {
 };
 
 std::vector<Fact> facts(const Editor& editor) {
-  const gl::DeviceInfo& device = editor.renderer->device();
-  const ivec2 size = editor.window->size();
+  const gl::DeviceInfo& device = editor.shown.renderer.device();
+  const ivec2 size = editor.window.size();
   return {{"Version", PILEUS_VERSION},
           {"Graphics", device.renderer + (device.software ? " (software)" : "")},
           {"Driver", device.vendor + ", OpenGL " + device.version},
@@ -148,7 +157,7 @@ std::vector<Fact> facts(const Editor& editor) {
 }
 
 void drawAbout(Editor& editor) {
-  Dialogs& d = editor.dialogs;
+  Modals& d = editor.modals;
   const Theme& theme = editor.theme;
   if (!beginModal(editor, "About", d.about, 560)) return;
   heading(editor, "Pileus");
@@ -191,7 +200,7 @@ void drawDialogs(Editor& editor) {
   drawError(editor);
   drawShortcuts(editor);
   drawAbout(editor);
-  if (!editor.dialogs.afterUnsaved) drawQuestions(editor);
+  if (!editor.modals.afterUnsaved) drawQuestions(editor.ui, editor.modals.questions);
 }
 
 }  // namespace pileus::editor

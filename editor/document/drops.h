@@ -1,9 +1,9 @@
 #pragma once
 // Files that come in from outside: dropped on the window, named on the command line or chosen for import. A
-// job reads them; then a graph is opened or merged, a volume becomes a lit cloud, a still gives back its
-// graph.
+// job reads them; what becomes of them: commands/drop_commands.h.
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +14,7 @@
 
 namespace pileus::editor {
 
-struct Editor;
+class Messages;
 
 enum class DropKind { Graph, Volume, Still, Environment, Unknown };
 /// By the ending, whatever its case.
@@ -36,15 +36,12 @@ class Drops {
   /// Any number of files, at any time; those that come while others are read wait.
   void take(std::vector<std::filesystem::path> paths);
   bool reading() const { return job_ != nullptr; }
-  /// Once a frame: starts reading, and does what was read.
-  void step(Editor& editor);
+  /// Once a frame: starts reading; what was read, once.
+  std::optional<DropContent> step(Messages& messages);
 
  private:
   std::vector<std::filesystem::path> waiting_;
   std::unique_ptr<Job<DropContent>> job_;
 };
-
-/// File > Import VDB...
-void askImportVdb(Editor& editor);
 
 }  // namespace pileus::editor

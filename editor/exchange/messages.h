@@ -3,7 +3,6 @@
 // line in the status bar. Neither ever takes a key or a click that was meant for something else.
 #include <algorithm>
 #include <deque>
-#include <functional>
 #include <string>
 
 #include "renderer/base/log.h"
@@ -11,18 +10,18 @@
 
 namespace pileus::editor {
 
-struct Editor;
-
 /// A notice in the corner, perhaps with a button.
 struct Notice {
   int id = 0;
   log::Level level = log::Level::Info;
   std::string text, button;
-  std::function<void(Editor&)> action;
+  std::string command;  ///< of the button, by id; "" = there is no button
   Stopwatch age;
 
   double lifeMs() const {
-    return level == log::Level::Error ? 20000 : level == log::Level::Warning || action ? 9000 : 4000;
+    return level == log::Level::Error                         ? 20000
+           : level == log::Level::Warning || !command.empty() ? 9000
+                                                              : 4000;
   }
   double msLeft() const { return lifeMs() - age.ms(); }
 };
@@ -36,8 +35,8 @@ class Messages {
   void warn(std::string text) { add(log::Level::Warning, std::move(text)); }
   void error(std::string text) { add(log::Level::Error, std::move(text)); }
   /// A notice with a button: "Restored the camera" [Undo].
-  void offer(std::string text, std::string button, std::function<void(Editor&)> action) {
-    add(log::Level::Info, std::move(text), std::move(button), std::move(action));
+  void offer(std::string text, std::string button, std::string command) {
+    add(log::Level::Info, std::move(text), std::move(button), std::move(command));
   }
   /// In the status line: what was just done, where it can be seen anyway. Not logged.
   void note(std::string text) { say(log::Level::Info, std::move(text)); }
@@ -75,13 +74,12 @@ class Messages {
     lineLevel_ = level, line_ = text_ = std::move(text);
     lineAge_.restart();
   }
-  void add(log::Level level, std::string text, std::string button = {},
-           std::function<void(Editor&)> action = {}) {
+  void add(log::Level level, std::string text, std::string button = {}, std::string command = {}) {
     log::write(level, text);
     text_ = text;
     // The same once more is not two notices.
     std::erase_if(notices_, [&](const Notice& n) { return n.level == level && n.text == text; });
-    notices_.push_back({++lastId_, level, std::move(text), std::move(button), std::move(action), {}});
+    notices_.push_back({++lastId_, level, std::move(text), std::move(button), std::move(command), {}});
     while (notices_.size() > kMost) notices_.pop_front();
   }
 

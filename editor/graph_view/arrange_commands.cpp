@@ -1,7 +1,12 @@
 #include "editor/graph_view/arrange_commands.h"
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
+#include "editor/graph_view/graph_room.h"
 #include "editor/graph_view/layout/layout_cache.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -13,9 +18,10 @@ struct Picked {
   std::vector<BoxLink> links;
 };
 
-Picked pick(Editor& editor, bool allWithout) {
-  const std::shared_ptr<const Layout> layout = shownLayout(editor);
-  const std::set<std::string>& selection = editor.document.selection();
+Picked pick(const Session& session, const Clock& clock, const Settings& settings, Canvas& canvas,
+            bool allWithout) {
+  const std::shared_ptr<const Layout> layout = shownLayout(session, clock, settings, canvas);
+  const std::set<std::string>& selection = session.document.selection();
   Picked picked;
   std::vector<int> boxOf(layout->nodes.size(), -1);
   for (const int i : layout->byName) {
@@ -35,35 +41,36 @@ Picked pick(Editor& editor, bool allWithout) {
   return picked;
 }
 
-void move(Editor& editor, const Picked& picked, const std::vector<dvec2>& at, const std::string& label) {
-  nodes::Graph graph = editor.document.graph();
+void move(Ui& ui, Session& session, const Picked& picked, const std::vector<dvec2>& at,
+          const std::string& label) {
+  nodes::Graph graph = session.document.graph();
   for (std::size_t i = 0; i < at.size(); ++i)
     graph = nodes::moveNodes(graph, {picked.names[i]}, at[i] - picked.boxes[i].at);
-  tryEdit(editor, std::move(graph), label);
+  tryEdit(session, ui.messages, std::move(graph), label);
 }
 
 }  // namespace
 
-void arrangeNodes(Editor& editor) {
-  if (editor.canvas.moving.active) return;
-  const Picked picked = pick(editor, true);
+void arrangeNodes(const GraphRoom& room) {
+  if (room.canvas.moving.active) return;
+  const Picked picked = pick(room.session, room.clock, room.settings, room.canvas, true);
   if (picked.boxes.size() < 2)
-    return editor.messages.hint("Select two or more nodes to arrange them, or none for all.");
-  move(editor, picked, arranged(picked.boxes, picked.links), "Arrange nodes");
+    return room.ui.messages.hint("Select two or more nodes to arrange them, or none for all.");
+  move(room.ui, room.session, picked, arranged(picked.boxes, picked.links), "Arrange nodes");
 }
 
-void alignNodes(Editor& editor, Align how) {
-  if (editor.canvas.moving.active) return;
-  const Picked picked = pick(editor, false);
-  if (picked.boxes.size() < 2) return editor.messages.hint("Select two or more nodes to align them.");
-  move(editor, picked, aligned(picked.boxes, how), "Align nodes");
+void alignNodes(const GraphRoom& room, Align how) {
+  if (room.canvas.moving.active) return;
+  const Picked picked = pick(room.session, room.clock, room.settings, room.canvas, false);
+  if (picked.boxes.size() < 2) return room.ui.messages.hint("Select two or more nodes to align them.");
+  move(room.ui, room.session, picked, aligned(picked.boxes, how), "Align nodes");
 }
 
-void distributeNodes(Editor& editor, bool horizontal) {
-  if (editor.canvas.moving.active) return;
-  const Picked picked = pick(editor, false);
-  if (picked.boxes.size() < 3) return editor.messages.hint("Select three or more nodes to distribute them.");
-  move(editor, picked, distributed(picked.boxes, horizontal), "Distribute nodes");
+void distributeNodes(const GraphRoom& room, bool horizontal) {
+  if (room.canvas.moving.active) return;
+  const Picked picked = pick(room.session, room.clock, room.settings, room.canvas, false);
+  if (picked.boxes.size() < 3) return room.ui.messages.hint("Select three or more nodes to distribute them.");
+  move(room.ui, room.session, picked, distributed(picked.boxes, horizontal), "Distribute nodes");
 }
 
 }  // namespace pileus::editor

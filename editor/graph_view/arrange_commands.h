@@ -4,10 +4,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct GraphRoom;
 
-void arrangeNodes(Editor& editor);  ///< all of them where none is selected
-void alignNodes(Editor& editor, Align how);
-void distributeNodes(Editor& editor, bool horizontal);
+void arrangeNodes(const GraphRoom& room);  ///< all of them where none is selected
+void alignNodes(const GraphRoom& room, Align how);
+void distributeNodes(const GraphRoom& room, bool horizontal);
 
 }  // namespace pileus::editor

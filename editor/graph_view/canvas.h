@@ -22,7 +22,8 @@
 namespace pileus::editor {
 
 struct CanvasView;
-struct Editor;
+struct GraphRoom;
+struct Theme;
 
 /// A frame's title while it is typed.
 struct FrameTitleField {
@@ -51,9 +52,8 @@ struct Canvas {
   int level = -1;                                ///< index into Theme::zoomLevels; -1: not chosen yet
   float zoomRest = 0;                            ///< part of a level not yet stepped
   bool frameAll = true, frameSelection = false;  ///< to be done at the next drawing
-  std::optional<nodes::Link> selectedLink;  ///< links are selected apart from nodes, and never part of undo
-  vec2 min{0}, max{0};                      ///< the panel on the screen, last frame
-  vec2 pointer{0};                          ///< canvas units under the pointer, last frame
+  vec2 min{0}, max{0};                           ///< the panel on the screen, last frame
+  vec2 pointer{0};                               ///< canvas units under the pointer, last frame
   bool pointerInside = false;
 
   /// While a link is dragged: why each socket refuses it; sockets that accept are not in it.
@@ -75,8 +75,8 @@ struct Canvas {
 std::string socketKey(std::string_view node, std::string_view socket, bool input);
 
 /// The canvas as it is on the screen.
-CanvasView canvasView(const Editor& editor, ImDrawList* draw = nullptr);
+CanvasView canvasView(const Theme& theme, const Canvas& canvas, ImDrawList* draw = nullptr);
 
-void drawCanvas(Editor& editor, ImVec2 min, ImVec2 max, bool hovered);
+void drawCanvas(const GraphRoom& room, ImVec2 min, ImVec2 max, bool hovered);
 
 }  // namespace pileus::editor

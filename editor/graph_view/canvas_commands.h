@@ -6,31 +6,34 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct GraphRoom;
+struct Session;
+struct Ui;
 
-void carryOut(Editor& editor, const CanvasView& view, const Layout& layout, const Command& command);
+void carryOut(const GraphRoom& room, const CanvasView& view, const Layout& layout, const Command& command);
 
 // Removing (selection_commands.cpp).
-void deleteSelection(Editor& editor);     ///< or the selected link or frame
-void deleteReconnecting(Editor& editor);  ///< what the nodes passed on stays linked
-void extractSelection(Editor& editor);    ///< out of their links, which close behind them
+void deleteSelection(Ui& ui, Session& session, Canvas& canvas);     ///< or the selected link or frame
+void deleteReconnecting(Ui& ui, Session& session, Canvas& canvas);  ///< what the nodes passed on stays linked
+void extractSelection(Ui& ui, Session& session);  ///< out of their links, which close behind them
 // Switching.
-void bypassSelection(Editor& editor);
-void disableSelection(Editor& editor);
-void muteSelectedLink(Editor& editor);
-void colorSelection(Editor& editor, const std::string& color);  ///< "" = the category's
+void bypassSelection(Ui& ui, Session& session);
+void disableSelection(Ui& ui, Session& session);
+void muteSelectedLink(Ui& ui, Session& session);
+void colorSelection(Ui& ui, Session& session, const std::string& color);  ///< "" = the category's
 // Selecting.
-void selectAllNodes(Editor& editor);
-void selectUpstream(Editor& editor);
-void selectDownstream(Editor& editor);
+void selectAllNodes(Session& session, Canvas& canvas);
+void selectUpstream(Session& session, Canvas& canvas);
+void selectDownstream(Session& session, Canvas& canvas);
 
 // Clipboard and copies (clipboard_commands.cpp).
-void copySelection(Editor& editor);
-void cutSelection(Editor& editor);
-void pasteNodes(Editor& editor);
-void duplicateSelection(Editor& editor);
-void duplicateWithInputs(Editor& editor);
+void copySelection(Ui& ui, const Session& session, Canvas& canvas);
+void cutSelection(Ui& ui, Session& session, Canvas& canvas);
+void pasteNodes(Ui& ui, Session& session, Canvas& canvas);
+void duplicateSelection(Ui& ui, Session& session);
+void duplicateWithInputs(Ui& ui, Session& session);
 
-void searchNode(Editor& editor);  ///< at the pointer, or the middle of the canvas
+void searchNode(const Session& session, Canvas& canvas);  ///< at the pointer, or the middle of the canvas
 
 }  // namespace pileus::editor

@@ -3,16 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_overlays.h"
 #include "editor/graph_view/drag_feedback.h"
 #include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/draw_node.h"
+#include "editor/graph_view/graph_room.h"
 #include "editor/graph_view/node_footer.h"
 #include "editor/graph_view/node_status.h"
 #include "editor/graph_view/scopes.h"
 #include "editor/graph_view/thumbnails.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "renderer/base/profile.h"
 
@@ -21,20 +27,21 @@ namespace {
 
 using State = Interaction::State;
 
-bool dragsLink(const Editor& editor) { return editor.canvas.interaction.state == State::DraggingLink; }
+bool dragsLink(const Canvas& canvas) { return canvas.interaction.state == State::DraggingLink; }
 
 /// Milliseconds of everything that was evaluated for what is shown.
-double allMs(const Editor& editor, const Layout& layout) {
+double allMs(const Session& session, const Shown& shown, const Layout& layout) {
   double sum = 0;
   for (const NodePlace& p : layout.nodes) {
-    const nodes::NodeStatus& s = statusOf(editor, p.name);
+    const nodes::NodeStatus& s = statusOf(session, shown, p.name);
     if (s.state != nodes::NodeState::Idle) sum += s.cpuMs + s.gpuMs;
   }
   return sum;
 }
 
-void traceNode(Editor& editor, const CanvasView& view, const NodePlace& place) {
-  UiTrace& trace = editor.trace;
+void traceNode(Ui& ui, const Session& session, const Shown& shown, const CanvasView& view,
+               const NodePlace& place) {
+  UiTrace& trace = ui.trace;
   trace.rect("node/" + place.name, im(view.screen(place.min)), im(view.screen(place.max)));
   trace.rect("header/" + place.name, im(view.screen(place.min)),
              im(view.screen({place.max.x, place.min.y + place.header})));
@@ -42,7 +49,7 @@ void traceNode(Editor& editor, const CanvasView& view, const NodePlace& place) {
   for (const SocketPlace& s : place.sockets)
     trace.rect("socket/" + place.name + (s.input ? "/in/" : "/out/") + s.id, im(view.screen(s.at) - r),
                im(view.screen(s.at) + r));
-  const FooterKind footer = footerKind(statusOf(editor, place.name));
+  const FooterKind footer = footerKind(statusOf(session, shown, place.name));
   if (const FooterRect f = footerRect(view, place, footer); f.max.x > f.min.x)
     trace.rect((footer == FooterKind::Follower ? "waits/" : "footer/") + place.name, im(f.min), im(f.max));
 }
@@ -78,29 +85,30 @@ void drawGrid(const Theme& theme, const CanvasView& view) {
   }
 }
 
-void drawLinks(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
-  const Canvas& canvas = editor.canvas;
-  const bool dragging = dragsLink(editor);
-  const nodes::Graph& graph = shownGraph(editor);
+void drawLinks(const Theme& theme, const Session& session, const Canvas& canvas, const CanvasView& view,
+               const Layout& layout, const Hit& hit) {
+  const bool dragging = dragsLink(canvas);
+  const nodes::Graph& graph = shownGraph(session, canvas);
   for (const LinkPlace& place : layout.links) {
     const nodes::Link& link = graph.links[static_cast<std::size_t>(place.link)];
     if (dragging && isPickedUp(canvas.interaction.link, link)) continue;
     LinkLook look;
-    look.selected = canvas.selectedLink == link || canvas.moving.onto == link;
+    look.selected = session.selectedLink == link || canvas.moving.onto == link;
     look.hovered = hit.kind == Hit::Kind::Link && hit.link == link && !dragging;
     look.muted = link.muted;
     look.dimmed = dragging;
-    drawLink(editor.theme, view, place.a, place.b, socketColor(place.type), look);
+    drawLink(theme, view, place.a, place.b, socketColor(enumId(place.type)), look);
   }
 }
 
-void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
-  const Canvas& canvas = editor.canvas;
-  const bool dragging = dragsLink(editor), times = editor.settings.showTimes;
-  const double total = times ? std::max(allMs(editor, layout), 1e-3) : 1;
+void drawNodes(const GraphRoom& room, const CanvasView& view, const Layout& layout, const Hit& hit) {
+  const Canvas& canvas = room.canvas;
+  const bool dragging = dragsLink(room.canvas), times = room.settings.showTimes;
+  const double total = times ? std::max(allMs(room.session, room.shown, layout), 1e-3) : 1;
   // A View node on show is the rule; worth a mark is another node in its place.
-  const std::string viewed = editor.viewport.activeView.empty() ? std::string() : shownView(editor);
-  const std::set<std::string>& selection = editor.document.selection();
+  const std::string viewed =
+      room.shown.activeView.empty() ? std::string() : shownView(room.session, room.shown);
+  const std::set<std::string>& selection = room.session.document.selection();
   // What hangs below a node is drawn with it.
   const vec2 margin = {20, 76};
   for (const NodePlace& place : layout.nodes) {
@@ -111,11 +119,11 @@ void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, con
     look.selected = selection.contains(place.name);
     look.hovered = underPointer && hit.kind == Hit::Kind::Node && !dragging;
     look.disabled = place.node->disabled;
-    const std::string known = evaluatedName(editor, place.name);
+    const std::string known = evaluatedName(room.session, place.name);
     look.viewed = known == viewed;
     look.slot = slotOf(canvas.slots, known);
     look.stacked = place.node->group != nullptr;
-    look.status = &editor.preview.evaluator().status(known);
+    look.status = &room.shown.preview.evaluator().status(known);
     if (times) {
       look.showTimes = true;
       look.share = look.status->state == nodes::NodeState::Idle
@@ -128,7 +136,7 @@ void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, con
     }
     std::string source;
     if (look.status->state == nodes::NodeState::Skipped && view.level.text) {
-      source = sourceOfError(editor, layout, place.name);
+      source = sourceOfError(room.session, room.shown, room.canvas, layout, place.name);
       look.source = source;
       look.hoveredFooter = canvas.overlays.follower == place.name;
     }
@@ -139,26 +147,25 @@ void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, con
         return !canvas.refusals.contains(socketKey(place.name, s.id, s.input));
       };
     NodePicture picture;
-    if (place.thumbnail != Thumbnail::None && view.level.zoom > 0.25f * editor.theme.scale) {
-      picture = nodePicture(editor, place);
+    if (place.thumbnail != Thumbnail::None && view.level.zoom > 0.25f * room.ui.theme.scale) {
+      picture = nodePicture(room, place);
       look.picture = &picture;
     }
-    drawNode(editor.theme, view, place, look);
-    if (editor.trace.on() && (look.viewed || look.slot))
-      editor.trace.note("badge/" + place.name, (look.viewed ? "viewed " : "") +
-                                                   (look.slot ? std::to_string(look.slot) : std::string()));
+    drawNode(room.ui.theme, view, place, look);
+    if (room.ui.trace.on() && (look.viewed || look.slot))
+      room.ui.trace.note("badge/" + place.name, (look.viewed ? "viewed " : "") +
+                                                    (look.slot ? std::to_string(look.slot) : std::string()));
   }
-  if (!editor.trace.on()) return;
+  if (!room.ui.trace.on()) return;
   const ThreadStopwatch clock;
-  for (const NodePlace& place : layout.nodes) traceNode(editor, view, place);
-  editor.trace.ms += clock.ms();
+  for (const NodePlace& place : layout.nodes) traceNode(room.ui, room.session, room.shown, view, place);
+  room.ui.trace.ms += clock.ms();
 }
 
-void drawHints(const Editor& editor, const CanvasView& view) {
-  if (!shownGraph(editor).nodes.empty()) return;
-  const Theme& theme = editor.theme;
+void drawHints(const Theme& theme, const Session& session, const Canvas& canvas, const CanvasView& view) {
+  if (!shownGraph(session, canvas).nodes.empty()) return;
   const vec2 middle = 0.5f * (view.min + view.max);
-  const bool inside = !editor.document.scope().empty();
+  const bool inside = !session.document.scope().empty();
   const char* lines[] = {
       inside ? "This group is empty" : "This graph is empty", "Press Tab, or right-click, to add a node",
       inside ? "Press U to go back out" : "or drop a file, or open a preset from the File menu"};
@@ -171,16 +178,17 @@ void drawHints(const Editor& editor, const CanvasView& view) {
   }
 }
 
-void drawCanvasTooltip(Editor& editor, const Layout& layout, const Hit& hit, bool hovered) {
-  if (editor.canvas.interaction.busy()) return;
-  const std::string& follower = editor.canvas.overlays.follower;
+void drawCanvasTooltip(Ui& ui, const Session& session, const Shown& shown, const Canvas& canvas,
+                       const Layout& layout, const Hit& hit, bool hovered) {
+  if (canvas.interaction.busy()) return;
+  const std::string& follower = canvas.overlays.follower;
   const bool overNode = hovered && (hit.kind == Hit::Kind::Node || hit.kind == Hit::Kind::Input ||
                                     hit.kind == Hit::Kind::Output);
   const NodePlace* place = findPlace(layout, !follower.empty() ? follower
                                              : overNode        ? hit.node
                                                                : std::string());
   if (!place) return;
-  const nodes::NodeStatus& status = statusOf(editor, place->name);
+  const nodes::NodeStatus& status = statusOf(session, shown, place->name);
   using S = nodes::NodeState;
   std::string text;
   ImU32 ink = palette::kText;
@@ -190,9 +198,9 @@ void drawCanvasTooltip(Editor& editor, const Layout& layout, const Hit& hit, boo
     text = status.error.message;
     ink = palette::kError;
   } else if (status.state == S::Skipped) {
-    const std::string source = sourceOfError(editor, layout, place->name);
+    const std::string source = sourceOfError(session, shown, canvas, layout, place->name);
     text = source.empty() ? status.error.message
-                          : "Waits for " + source + ":\n" + statusOf(editor, source).error.message;
+                          : "Waits for " + source + ":\n" + statusOf(session, shown, source).error.message;
     if (!follower.empty()) text += "\nClick to go there.";
   } else if (!status.warnings.empty() && status.state != S::Idle) {
     for (const std::string& w : status.warnings) text += (text.empty() ? "" : "\n") + w;
@@ -202,8 +210,8 @@ void drawCanvasTooltip(Editor& editor, const Layout& layout, const Hit& hit, boo
     ink = palette::kWarning;
   }
   if (text.empty()) return;
-  tooltip(editor.theme, text, ink);
-  editor.trace.note("tooltip", text);
+  tooltip(ui.theme, text, ink);
+  ui.trace.note("tooltip", text);
 }
 
 }  // namespace pileus::editor

@@ -6,14 +6,21 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct GraphRoom;
+struct Session;
+struct Shown;
+struct Theme;
+struct Ui;
 
 void drawGrid(const Theme& theme, const CanvasView& view);
-void drawLinks(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit);
-void drawNodes(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit);
+void drawLinks(const Theme& theme, const Session& session, const Canvas& canvas, const CanvasView& view,
+               const Layout& layout, const Hit& hit);
+void drawNodes(const GraphRoom& room, const CanvasView& view, const Layout& layout, const Hit& hit);
 /// What to do on an empty canvas.
-void drawHints(const Editor& editor, const CanvasView& view);
+void drawHints(const Theme& theme, const Session& session, const Canvas& canvas, const CanvasView& view);
 /// What is wrong with the node under the resting pointer, or what its socket takes.
-void drawCanvasTooltip(Editor& editor, const Layout& layout, const Hit& hit, bool hovered);
+void drawCanvasTooltip(Ui& ui, const Session& session, const Shown& shown, const Canvas& canvas,
+                       const Layout& layout, const Hit& hit, bool hovered);
 
 }  // namespace pileus::editor

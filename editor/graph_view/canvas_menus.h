@@ -4,11 +4,12 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct GraphRoom;
 
 /// At a screen position, in this frame or the next.
-void openCanvasMenu(Editor& editor, const Hit& hit, vec2 at);
+void openCanvasMenu(Canvas& canvas, const Hit& hit, vec2 at);
 /// Once a frame, after the canvas.
-void drawCanvasMenu(Editor& editor);
+void drawCanvasMenu(const GraphRoom& room);
 
 }  // namespace pileus::editor

@@ -8,7 +8,11 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct GraphRoom;
+struct Session;
+struct Settings;
+struct Ui;
 
 struct CanvasOverlays {
   bool covered = false;  ///< the pointer is over one of them
@@ -17,7 +21,8 @@ struct CanvasOverlays {
 };
 
 /// Before the canvas looks at the pointer; true: it has nothing to look at.
-bool updateOverlays(Editor& editor, const CanvasView& view, const Layout& layout, bool hovered);
-void drawOverlays(Editor& editor, const CanvasView& view, const Layout& layout);
+bool updateOverlays(const GraphRoom& room, const CanvasView& view, const Layout& layout, bool hovered);
+void drawOverlays(Ui& ui, const Session& session, const Settings& settings, const Canvas& canvas,
+                  const CanvasView& view, const Layout& layout);
 
 }  // namespace pileus::editor

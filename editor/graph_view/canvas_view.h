@@ -2,13 +2,11 @@
 // The canvas as it is on the screen this frame: the map between canvas units and pixels, and where to draw.
 #include <imgui.h>
 
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/theme.h"
 #include "renderer/base/math.h"
 
 namespace pileus::editor {
-
-inline vec2 vec(ImVec2 v) { return {v.x, v.y}; }
-inline ImVec2 im(vec2 v) { return {v.x, v.y}; }
 
 struct CanvasView {
   vec2 min{0}, max{0};  ///< the panel, pixels
@@ -23,9 +21,5 @@ struct CanvasView {
     return hi.x >= min.x && lo.x <= max.x && hi.y >= min.y && lo.y <= max.y;
   }
 };
-
-/// Text at whole pixels, cut with an ellipsis beyond `width`. Returns the width drawn.
-float drawText(ImDrawList* draw, ImFont* font, vec2 at, ImU32 color, std::string_view text, float width);
-float textWidth(ImFont* font, std::string_view text);
 
 }  // namespace pileus::editor

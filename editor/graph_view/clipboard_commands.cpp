@@ -1,8 +1,10 @@
 // Copies of nodes: through the system's clipboard as JSON text, or beside the originals.
 #include <imgui.h>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
+#include "editor/toolkit/ui.h"
 #include "nodes/file/serialize.h"
 #include "nodes/graph/graph_edits.h"
 
@@ -25,48 +27,49 @@ dvec2 pastePlace(Canvas& canvas) {
 
 }  // namespace
 
-void copySelection(Editor& editor) {
-  const std::set<std::string>& names = editor.document.selection();
-  if (names.empty()) return editor.messages.hint("Select the nodes to copy.");
-  ImGui::SetClipboardText(nodes::copyText(editor.document.graph(), names).c_str());
-  editor.messages.note(named("Copied", names));
-  editor.canvas.pastes = 0;
+void copySelection(Ui& ui, const Session& session, Canvas& canvas) {
+  const std::set<std::string>& names = session.document.selection();
+  if (names.empty()) return ui.messages.hint("Select the nodes to copy.");
+  ImGui::SetClipboardText(nodes::copyText(session.document.graph(), names).c_str());
+  ui.messages.note(named("Copied", names));
+  canvas.pastes = 0;
 }
 
-void cutSelection(Editor& editor) {
-  const std::set<std::string> names = editor.document.selection();
-  if (names.empty()) return editor.messages.hint("Select the nodes to cut.");
-  copySelection(editor);
-  if (tryEdit(editor, nodes::removeNodes(editor.document.graph(), names, true), named("Cut", names)))
-    editor.messages.note(named("Cut", names));
+void cutSelection(Ui& ui, Session& session, Canvas& canvas) {
+  const std::set<std::string> names = session.document.selection();
+  if (names.empty()) return ui.messages.hint("Select the nodes to cut.");
+  copySelection(ui, session, canvas);
+  if (tryEdit(session, ui.messages, nodes::removeNodes(session.document.graph(), names, true),
+              named("Cut", names)))
+    ui.messages.note(named("Cut", names));
 }
 
-void pasteNodes(Editor& editor) {
+void pasteNodes(Ui& ui, Session& session, Canvas& canvas) {
   const char* text = ImGui::GetClipboardText();
-  if (!text || !*text) return editor.messages.hint("The clipboard is empty: copy some nodes first.");
+  if (!text || !*text) return ui.messages.hint("The clipboard is empty: copy some nodes first.");
   if (std::string_view(text).find("\"pileus\"") == std::string_view::npos)
-    return editor.messages.hint("The clipboard holds other text, but no Pileus nodes.");
+    return ui.messages.hint("The clipboard holds other text, but no Pileus nodes.");
   std::set<std::string> pasted;
-  const dvec2 at = pastePlace(editor.canvas);
-  if (tryEdit(editor, nodes::pasteText(editor.document.graph(), text, at, &pasted), "Paste"))
-    editor.document.select(std::move(pasted));
+  const dvec2 at = pastePlace(canvas);
+  if (tryEdit(session, ui.messages, nodes::pasteText(session.document.graph(), text, at, &pasted), "Paste"))
+    session.document.select(std::move(pasted));
 }
 
 namespace {
 
-void duplicate(Editor& editor, bool keepInputs) {
-  const std::set<std::string> names = editor.document.selection();
+void duplicate(Ui& ui, Session& session, bool keepInputs) {
+  const std::set<std::string> names = session.document.selection();
   if (names.empty()) return;
   std::set<std::string> copies;
-  if (tryEdit(editor,
-              nodes::duplicateNodes(editor.document.graph(), names, keepInputs, dvec2(kStep), &copies),
+  if (tryEdit(session, ui.messages,
+              nodes::duplicateNodes(session.document.graph(), names, keepInputs, dvec2(kStep), &copies),
               named("Duplicate", names)))
-    editor.document.select(std::move(copies));
+    session.document.select(std::move(copies));
 }
 
 }  // namespace
 
-void duplicateSelection(Editor& editor) { duplicate(editor, false); }
-void duplicateWithInputs(Editor& editor) { duplicate(editor, true); }
+void duplicateSelection(Ui& ui, Session& session) { duplicate(ui, session, false); }
+void duplicateWithInputs(Ui& ui, Session& session) { duplicate(ui, session, true); }
 
 }  // namespace pileus::editor

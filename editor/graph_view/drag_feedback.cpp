@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/layout/path_geometry.h"
 #include "editor/graph_view/link_gestures.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -29,9 +31,10 @@ std::vector<SocketPlace> fixedEnds(const Layout& layout, const LinkDrag& drag) {
 
 /// The links under way: to the socket they would snap to, else to the pointer; a refusal stands beside the
 /// pointer.
-void drawDraggedLinks(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
-  const Interaction& m = editor.canvas.interaction;
-  const std::string refusal = refusalAt(editor, layout, hit);
+void drawDraggedLinks(Ui& ui, const Canvas& canvas, const CanvasView& view, const Layout& layout,
+                      const Hit& hit) {
+  const Interaction& m = canvas.interaction;
+  const std::string refusal = refusalAt(canvas, layout, hit);
   vec2 loose = view.canvas(m.last);
   if (refusal.empty() && (hit.kind == Hit::Kind::Input || hit.kind == Hit::Kind::Output))
     if (const NodePlace* target = findPlace(layout, hit.node))
@@ -39,15 +42,15 @@ void drawDraggedLinks(Editor& editor, const CanvasView& view, const Layout& layo
   LinkLook look;
   look.hovered = true;
   for (const SocketPlace& fixed : fixedEnds(layout, m.link)) {
-    const ImU32 color = refusal.empty() ? socketColor(fixed.type) : palette::kError;
+    const ImU32 color = refusal.empty() ? socketColor(enumId(fixed.type)) : palette::kError;
     if (fixed.input)
-      drawLink(editor.theme, view, loose, fixed.at, color, look);
+      drawLink(ui.theme, view, loose, fixed.at, color, look);
     else
-      drawLink(editor.theme, view, fixed.at, loose, color, look);
+      drawLink(ui.theme, view, fixed.at, loose, color, look);
   }
   if (refusal.empty()) return;
-  tooltip(editor.theme, refusal, palette::kError);
-  editor.trace.note("refusal", refusal);
+  tooltip(ui.theme, refusal, palette::kError);
+  ui.trace.note("refusal", refusal);
 }
 
 void drawBox(const Interaction& m, ImDrawList* draw) {
@@ -74,9 +77,10 @@ StrokeLook lookOf(Stroke stroke) {
 }
 
 /// The line, the links it crosses in its colour, and a mark where it crosses each.
-void drawStroke(Editor& editor, const CanvasView& view, const Layout& layout) {
-  const Interaction& m = editor.canvas.interaction;
-  const Theme& theme = editor.theme;
+void drawStroke(Ui& ui, const Session& session, const Canvas& canvas, const CanvasView& view,
+                const Layout& layout) {
+  const Interaction& m = canvas.interaction;
+  const Theme& theme = ui.theme;
   const StrokeLook look = lookOf(m.stroke);
   std::vector<vec2> line = m.path;
   line.push_back(m.last);
@@ -88,7 +92,7 @@ void drawStroke(Editor& editor, const CanvasView& view, const Layout& layout) {
     return;
   }
   for (vec2& p : line) p = view.canvas(p);
-  const std::vector<Crossing> crossed = crossings(layout, shownGraph(editor), line);
+  const std::vector<Crossing> crossed = crossings(layout, shownGraph(session, canvas), line);
   LinkLook strong;
   strong.hovered = true;
   for (const Crossing& c : crossed) {
@@ -99,7 +103,7 @@ void drawStroke(Editor& editor, const CanvasView& view, const Layout& layout) {
     view.draw->AddCircleFilled(im(view.screen(c.at)), theme.px(3.5f), look.color);
   }
   view.draw->AddPolyline(screen.data(), count, look.color, 0, theme.px(2));
-  editor.trace.note("stroke", fmt::format("{} {}", crossed.size(), look.verb));
+  ui.trace.note("stroke", fmt::format("{} {}", crossed.size(), look.verb));
 }
 
 }  // namespace
@@ -108,14 +112,14 @@ bool isPickedUp(const LinkDrag& drag, const nodes::Link& link) {
   return drag.replaces == link || std::find(drag.moves.begin(), drag.moves.end(), link) != drag.moves.end();
 }
 
-void drawDragFeedback(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit) {
-  const Interaction& m = editor.canvas.interaction;
-  if (m.state == State::DraggingLink) drawDraggedLinks(editor, view, layout, hit);
+void drawDragFeedback(Ui& ui, const Session& session, const Canvas& canvas, const CanvasView& view,
+                      const Layout& layout, const Hit& hit) {
+  const Interaction& m = canvas.interaction;
+  if (m.state == State::DraggingLink) drawDraggedLinks(ui, canvas, view, layout, hit);
   if (m.state == State::BoxSelecting) drawBox(m, view.draw);
-  if (m.state == State::Stroking) drawStroke(editor, view, layout);
-  if (editor.canvas.moving.onto)
-    editor.trace.note("drop link",
-                      editor.canvas.moving.onto->fromNode + " -> " + editor.canvas.moving.onto->toNode);
+  if (m.state == State::Stroking) drawStroke(ui, session, canvas, view, layout);
+  if (canvas.moving.onto)
+    ui.trace.note("drop link", canvas.moving.onto->fromNode + " -> " + canvas.moving.onto->toNode);
 }
 
 }  // namespace pileus::editor

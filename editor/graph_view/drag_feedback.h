@@ -6,10 +6,13 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Ui;
 
 /// Is this link in the hand, so that it is not drawn in its place?
 bool isPickedUp(const LinkDrag& drag, const nodes::Link& link);
-void drawDragFeedback(Editor& editor, const CanvasView& view, const Layout& layout, const Hit& hit);
+void drawDragFeedback(Ui& ui, const Session& session, const Canvas& canvas, const CanvasView& view,
+                      const Layout& layout, const Hit& hit);
 
 }  // namespace pileus::editor

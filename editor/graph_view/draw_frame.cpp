@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/frames.h"
 #include "editor/graph_view/node_colors.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 
@@ -35,16 +37,16 @@ void drawTitle(const Theme& theme, const CanvasView& view, const nodes::Frame& f
 
 }  // namespace
 
-void drawFrames(Editor& editor, const CanvasView& view) {
-  const Theme& theme = editor.theme;
+void drawFrames(Ui& ui, const Session& session, const Canvas& canvas, const CanvasView& view) {
+  const Theme& theme = ui.theme;
   const float header = view.px(frameHeader(view.level.zoom / theme.scale));
-  const std::vector<nodes::Frame>& frames = shownGraph(editor).frames;
+  const std::vector<nodes::Frame>& frames = shownGraph(session, canvas).frames;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const nodes::Frame& frame = frames[i];
     const vec2 lo = glm::round(view.screen(vec2(frame.at))),
                hi = glm::round(view.screen(vec2(frame.at + frame.size)));
     if (!view.visible(lo, hi)) continue;
-    const bool selected = editor.canvas.selectedFrame == i;
+    const bool selected = canvas.selectedFrame == i;
     const ImU32 tint = frameTint(frame);
     const float round = std::min(view.px(10), theme.px(14)), bar = std::min(header, hi.y - lo.y);
     view.draw->AddRectFilled(im(lo), im(hi), faded(tint, 0.16f), round);
@@ -53,17 +55,18 @@ void drawFrames(Editor& editor, const CanvasView& view) {
     view.draw->AddRect(im(lo), im(hi), selected ? palette::kSelect : faded(tint, 0.7f), round, 0,
                        selected ? 2 * theme.scale : theme.scale);
     if (view.level.text) drawTitle(theme, view, frame, lo, hi, bar);
-    if (editor.trace.on()) editor.trace.rect("frame/" + std::to_string(i), im(lo), im(hi));
+    if (ui.trace.on()) ui.trace.rect("frame/" + std::to_string(i), im(lo), im(hi));
   }
 }
 
-void drawDistantTitles(Editor& editor, const CanvasView& view) {
+void drawDistantTitles(const Theme& theme, const Session& session, const Canvas& canvas,
+                       const CanvasView& view) {
   if (view.level.text) return;
-  const float header = view.px(frameHeader(view.level.zoom / editor.theme.scale));
-  for (const nodes::Frame& frame : shownGraph(editor).frames) {
+  const float header = view.px(frameHeader(view.level.zoom / theme.scale));
+  for (const nodes::Frame& frame : shownGraph(session, canvas).frames) {
     const vec2 lo = glm::round(view.screen(vec2(frame.at))),
                hi = glm::round(view.screen(vec2(frame.at + frame.size)));
-    if (view.visible(lo, hi)) drawTitle(editor.theme, view, frame, lo, hi, std::min(header, hi.y - lo.y));
+    if (view.visible(lo, hi)) drawTitle(theme, view, frame, lo, hi, std::min(header, hi.y - lo.y));
   }
 }
 

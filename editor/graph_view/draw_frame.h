@@ -8,12 +8,16 @@ struct Frame;
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Theme;
+struct Ui;
 
 /// A frame's own colour, or a quiet one.
 ImU32 frameTint(const nodes::Frame& frame);
-void drawFrames(Editor& editor, const CanvasView& view);
+void drawFrames(Ui& ui, const Session& session, const Canvas& canvas, const CanvasView& view);
 /// Where the canvas shows no text: titles over the nodes.
-void drawDistantTitles(Editor& editor, const CanvasView& view);
+void drawDistantTitles(const Theme& theme, const Session& session, const Canvas& canvas,
+                       const CanvasView& view);
 
 }  // namespace pileus::editor

@@ -1,4 +1,5 @@
 #include "editor/graph_view/draw_link.h"
+#include "editor/toolkit/theme.h"
 
 #include <algorithm>
 

@@ -5,6 +5,8 @@
 
 namespace pileus::editor {
 
+struct Theme;
+
 struct LinkLook {
   bool selected = false, hovered = false, muted = false, dimmed = false;
 };

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "editor/graph_view/draw_sockets.h"
+#include "editor/graph_view/graph_room.h"
 #include "editor/graph_view/node_colors.h"
 #include "editor/graph_view/node_footer.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 namespace {
@@ -103,7 +105,7 @@ void drawThrough(const Theme& theme, const CanvasView& view, const NodePlace& pl
   const float middle = 0.5f * (place.min.y + place.header + place.max.y);
   const vec2 a = view.screen(in ? in->at : vec2(place.min.x, middle)),
              d = view.screen(out ? out->at : vec2(place.max.x, middle));
-  const ImU32 ink = faded(in ? socketColor(in->type) : palette::kError, 0.55f);
+  const ImU32 ink = faded(in ? socketColor(enumId(in->type)) : palette::kError, 0.55f);
   const vec2 reach((d.x - a.x) * 0.5f, 0);
   view.draw->AddBezierCubic(im(a), im(a + reach), im(d - reach), im(d), ink,
                             std::max(view.px(2.4f), theme.scale));
@@ -230,7 +232,7 @@ void drawDot(const Theme& theme, const CanvasView& view, const NodePlace& place,
   const SocketPlace* out = nullptr;
   for (const SocketPlace& s : place.sockets)
     if (!s.input) out = &s;
-  const ImU32 color = out ? socketColor(out->type) : palette::kTextFaint;
+  const ImU32 color = out ? socketColor(enumId(out->type)) : palette::kTextFaint;
   const ImU32 ink = look.disabled || look.unfound ? mixed(color, palette::kCanvas, 0.6f) : color;
   const float width = std::clamp(view.px(2.2f), 1.1f * theme.scale, 4.5f * theme.scale);
   view.draw->AddLine({lo.x, at.y}, {hi.x, at.y}, faded(ink, 0.66f), width);

@@ -8,6 +8,8 @@
 
 namespace pileus::editor {
 
+struct Theme;
+
 /// A node's picture: an image, or the tiles of a map side by side in one texture.
 struct NodePicture {
   unsigned texture = 0;

@@ -1,4 +1,5 @@
 #include "editor/graph_view/draw_sockets.h"
+#include "editor/toolkit/theme.h"
 
 #include <algorithm>
 
@@ -58,7 +59,7 @@ void drawSockets(const Theme& theme, const CanvasView& view, const NodePlace& pl
     const vec2 at = view.screen(s.at);
     const bool hovered = look.hoveredSocket == s.id && look.hoveredInput == s.input;
     const bool open = !look.accepts || look.accepts(s);
-    ImU32 color = !open ? palette::kSocketOff : s.known ? socketColor(s.type) : palette::kTextFaint;
+    ImU32 color = !open ? palette::kSocketOff : s.known ? socketColor(enumId(s.type)) : palette::kTextFaint;
     if (quiet && open) color = mixed(color, palette::kCanvas, 0.45f);
     if (tiny && !look.accepts) {  // a square costs a tenth of a circle, and no eye can tell
       view.draw->AddRectFilled(im(at - r * 0.8f), im(at + r * 0.8f), color);

@@ -4,6 +4,8 @@
 
 namespace pileus::editor {
 
+struct Theme;
+
 void drawSockets(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look);
 
 }  // namespace pileus::editor

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/ui.h"
 #include "nodes/graph/graph_frames.h"
 
 namespace pileus::editor {
@@ -51,12 +53,11 @@ nodes::Frame resized(const nodes::Frame& frame, const FrameSides& sides, dvec2 b
   return result;
 }
 
-void addFrame(Editor& editor) {
-  const nodes::Graph& graph = editor.document.graph();
-  const std::set<std::string>& names = editor.document.selection();
+void addFrame(Ui& ui, Session& session, Canvas& canvas) {
+  const nodes::Graph& graph = session.document.graph();
+  const std::set<std::string>& names = session.document.selection();
   nodes::Graph framed;
   if (names.empty()) {
-    const Canvas& canvas = editor.canvas;
     const dvec2 size = {320, 220};
     const dvec2 middle = canvas.pointerInside ? dvec2(canvas.pointer) : canvas.center;
     nodes::Frame frame;
@@ -70,68 +71,68 @@ void addFrame(Editor& editor) {
   // The new frame is the one that was not there; where it stands in the list is the model's choice.
   std::size_t added = 0;
   while (added < graph.frames.size() && framed.frames[added] == graph.frames[added]) ++added;
-  if (!tryEdit(editor, std::move(framed), "Add frame")) return;
-  editor.canvas.selectedLink.reset();
-  editor.canvas.selectedFrame = added;
-  renameFrame(editor, added);
+  if (!tryEdit(session, ui.messages, std::move(framed), "Add frame")) return;
+  session.selectedLink.reset();
+  canvas.selectedFrame = added;
+  renameFrame(session, canvas, added);
 }
 
-void setFrameColor(Editor& editor, std::size_t index, const std::string& color) {
-  const nodes::Graph& graph = editor.document.graph();
+void setFrameColor(Ui& ui, Session& session, std::size_t index, const std::string& color) {
+  const nodes::Graph& graph = session.document.graph();
   if (index >= graph.frames.size()) return;
   nodes::Frame frame = graph.frames[index];
   frame.color = color;
-  tryEdit(editor, nodes::setFrame(graph, index, frame), named("Colour", frame));
+  tryEdit(session, ui.messages, nodes::setFrame(graph, index, frame), named("Colour", frame));
 }
 
-void removeFrame(Editor& editor, std::size_t index) {
-  const nodes::Graph& graph = editor.document.graph();
-  editor.canvas.selectedFrame.reset();
+void removeFrame(Ui& ui, Session& session, Canvas& canvas, std::size_t index) {
+  const nodes::Graph& graph = session.document.graph();
+  canvas.selectedFrame.reset();
   if (index < graph.frames.size())
-    tryEdit(editor, nodes::removeFrame(graph, index), named("Remove", graph.frames[index]));
+    tryEdit(session, ui.messages, nodes::removeFrame(graph, index), named("Remove", graph.frames[index]));
 }
 
-void renameFrame(Editor& editor, std::size_t index) {
-  const nodes::Graph& graph = editor.document.graph();
+void renameFrame(const Session& session, Canvas& canvas, std::size_t index) {
+  const nodes::Graph& graph = session.document.graph();
   if (index >= graph.frames.size()) return;
-  editor.canvas.frameTitle = FrameTitleField{index, graph.frames[index].title, true};
+  canvas.frameTitle = FrameTitleField{index, graph.frames[index].title, true};
 }
 
-void selectContent(Editor& editor, std::size_t index) {
-  if (index >= editor.document.graph().frames.size()) return;
-  editor.document.select(nodes::contentOf(editor.document.graph(), index).nodes);
-  editor.canvas.selectedFrame.reset();
+void selectContent(Session& session, Canvas& canvas, std::size_t index) {
+  if (index >= session.document.graph().frames.size()) return;
+  session.document.select(nodes::contentOf(session.document.graph(), index).nodes);
+  canvas.selectedFrame.reset();
 }
 
-void drawFrameTitleField(Editor& editor) {
-  std::optional<FrameTitleField>& field = editor.canvas.frameTitle;
+void drawFrameTitleField(Ui& ui, Session& session, Canvas& canvas) {
+  std::optional<FrameTitleField>& field = canvas.frameTitle;
   if (!field) return;
-  const nodes::Graph& graph = editor.document.graph();
+  const nodes::Graph& graph = session.document.graph();
   if (field->frame >= graph.frames.size()) return field.reset();
   nodes::Frame frame = graph.frames[field->frame];
-  const CanvasView view = canvasView(editor);
+  const CanvasView view = canvasView(ui.theme, canvas);
   const vec2 at = glm::clamp(view.screen(vec2(frame.at)), view.min,
-                             glm::max(view.max - vec2(editor.theme.px(240), editor.theme.px(40)), view.min));
+                             glm::max(view.max - vec2(ui.theme.px(240), ui.theme.px(40)), view.min));
   if (field->opening) {
     ImGui::OpenPopup(kPopup);
     ImGui::SetNextWindowPos(im(at));
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {editor.theme.px(3), editor.theme.px(3)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.theme.px(3), ui.theme.px(3)});
   const bool open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
   ImGui::PopStyleVar();
   if (!open) {
     // A click elsewhere keeps what was typed.
     if (!field->opening && field->text != frame.title) {
       frame.title = field->text;
-      tryEdit(editor, nodes::setFrame(graph, field->frame, frame), "Rename frame");
+      tryEdit(session, ui.messages, nodes::setFrame(graph, field->frame, frame), "Rename frame");
     }
     return field.reset();
   }
   if (std::exchange(field->opening, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(editor.theme.px(230));
+  ImGui::SetNextItemWidth(ui.theme.px(230));
   const bool done = ImGui::InputText(
       "##title", &field->text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  editor.trace.item("frame title");
+  ui.trace.item("frame title");
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     field->text = frame.title;
     ImGui::CloseCurrentPopup();

@@ -8,7 +8,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Ui;
 
 /// Height of the title bar in canvas units: never too small to be grabbed. `zoom` in design pixels per unit.
 float frameHeader(float zoom);
@@ -18,12 +20,14 @@ std::optional<Hit> frameAt(const nodes::Graph& graph, vec2 at, float zoom);
 /// The frame with these sides moved; it keeps a smallest size.
 nodes::Frame resized(const nodes::Frame& frame, const FrameSides& sides, dvec2 by);
 
-void addFrame(Editor& editor);  ///< around the selection, or an empty one at the pointer
-void setFrameColor(Editor& editor, std::size_t frame, const std::string& color);
-void removeFrame(Editor& editor, std::size_t frame);  ///< what lies in it stays
-void renameFrame(Editor& editor, std::size_t frame);  ///< opens a field for its title
-void selectContent(Editor& editor, std::size_t frame);
+void addFrame(Ui& ui, Session& session,
+              Canvas& canvas);  ///< around the selection, or an empty one at the pointer
+void setFrameColor(Ui& ui, Session& session, std::size_t frame, const std::string& color);
+void removeFrame(Ui& ui, Session& session, Canvas& canvas,
+                 std::size_t frame);                                          ///< what lies in it stays
+void renameFrame(const Session& session, Canvas& canvas, std::size_t frame);  ///< opens a field for its title
+void selectContent(Session& session, Canvas& canvas, std::size_t frame);
 /// The field, where one is open; once a frame, after the canvas.
-void drawFrameTitleField(Editor& editor);
+void drawFrameTitleField(Ui& ui, Session& session, Canvas& canvas);
 
 }  // namespace pileus::editor

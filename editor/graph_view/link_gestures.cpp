@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/layout/path_geometry.h"
+#include "editor/toolkit/ui.h"
 #include "nodes/graph/graph_edits.h"
 #include "nodes/graph/graph_sockets.h"
 
@@ -19,8 +21,8 @@ nodes::Link linkBetween(const LinkDrag& drag, const std::string& node, const std
                          : nodes::Link{node, socket, drag.node, drag.socket};
 }
 
-nodes::Graph graphForDrag(const Editor& editor, const LinkDrag& drag) {
-  nodes::Graph graph = editor.document.graph();
+nodes::Graph graphForDrag(const Session& session, const LinkDrag& drag) {
+  nodes::Graph graph = session.document.graph();
   if (drag.replaces) graph = nodes::disconnect(graph, *drag.replaces);
   for (const nodes::Link& link : drag.moves) graph = nodes::disconnect(graph, link);
   return graph;
@@ -41,14 +43,15 @@ std::string plural(std::size_t count, const char* one, const char* many) {
   return count == 1 ? one : fmt::format("{} {}", count, many);
 }
 
-void dropOnCanvas(Editor& editor, const CanvasView& view, const command::LinkDrop& drop) {
+void dropOnCanvas(Ui& ui, Session& session, Canvas& canvas, const CanvasView& view,
+                  const command::LinkDrop& drop) {
   const LinkDrag& drag = drop.drag;
   // Dropping picked-off links on nothing removes them; a new one asks which node shall follow.
   if (drag.replaces || !drag.moves.empty())
-    tryEdit(editor, graphForDrag(editor, drag),
+    tryEdit(session, ui.messages, graphForDrag(session, drag),
             "Remove " + plural(std::max<std::size_t>(drag.moves.size(), 1), "link", "links"));
   else
-    openSearch(editor, drop.at, view.canvas(drop.at), drag);
+    openSearch(session, canvas, drop.at, view.canvas(drop.at), drag);
 }
 
 std::vector<nodes::Link> linksOf(const std::vector<Crossing>& crossed) {
@@ -58,10 +61,10 @@ std::vector<nodes::Link> linksOf(const std::vector<Crossing>& crossed) {
 }
 
 /// Mutes the crossed links, or takes all back when they are muted already.
-void muteLinks(Editor& editor, const std::vector<Crossing>& crossed) {
+void muteLinks(Ui& ui, Session& session, const std::vector<Crossing>& crossed) {
   const bool all =
       std::all_of(crossed.begin(), crossed.end(), [](const Crossing& c) { return c.link.muted; });
-  tryEdit(editor, nodes::muteLinks(editor.document.graph(), linksOf(crossed), !all),
+  tryEdit(session, ui.messages, nodes::muteLinks(session.document.graph(), linksOf(crossed), !all),
           (all ? "Unmute " : "Mute ") + plural(crossed.size(), "link", "links"));
 }
 
@@ -69,8 +72,8 @@ void muteLinks(Editor& editor, const std::vector<Crossing>& crossed) {
 dvec2 dotPlace(vec2 middle) { return glm::round(dvec2(middle)) - 10.0; }
 
 /// One dot for each output whose links are crossed; links of one output go through it together.
-void putDots(Editor& editor, const std::vector<Crossing>& crossed) {
-  nodes::Graph graph = editor.document.graph();
+void putDots(Ui& ui, Session& session, const std::vector<Crossing>& crossed) {
+  nodes::Graph graph = session.document.graph();
   std::map<std::pair<std::string, std::string>, std::vector<Crossing>> byOutput;
   for (const Crossing& c : crossed) byOutput[{c.link.fromNode, c.link.fromSocket}].push_back(c);
   std::set<std::string> dots;
@@ -79,7 +82,7 @@ void putDots(Editor& editor, const std::vector<Crossing>& crossed) {
     for (const Crossing& c : links) middle += c.at / static_cast<float>(links.size());
     std::string dot;
     Result<nodes::Graph> added = nodes::addDot(graph, links.front().link, dotPlace(middle), &dot);
-    if (!added) return editor.messages.hint(added.error().message);
+    if (!added) return ui.messages.hint(added.error().message);
     graph = std::move(*added);
     const std::string out = nodes::outputsOf(graph, dot).front().id;
     for (nodes::Link& link : graph.links)
@@ -87,18 +90,17 @@ void putDots(Editor& editor, const std::vector<Crossing>& crossed) {
         if (link == links[i].link) link.fromNode = dot, link.fromSocket = out;
     dots.insert(dot);
   }
-  if (tryEdit(editor, std::move(graph),
+  if (tryEdit(session, ui.messages, std::move(graph),
               dots.size() == 1 ? "Add dot" : fmt::format("Add {} dots", dots.size())))
-    editor.document.select(std::move(dots));
+    session.document.select(std::move(dots));
 }
 
 }  // namespace
 
-void startLink(Editor& editor, const Layout& layout, const LinkDrag& drag) {
-  Canvas& canvas = editor.canvas;
+void startLink(Session& session, Canvas& canvas, const Layout& layout, const LinkDrag& drag) {
   canvas.refusals.clear();
-  canvas.selectedLink.reset();
-  const nodes::Graph graph = graphForDrag(editor, drag);
+  session.selectedLink.reset();
+  const nodes::Graph graph = graphForDrag(session, drag);
   const nodes::SocketTable table(graph);
   const bool input = wantsInput(drag);
   for (const NodePlace& node : layout.nodes)
@@ -114,24 +116,27 @@ void startLink(Editor& editor, const Layout& layout, const LinkDrag& drag) {
     }
 }
 
-void dropLink(Editor& editor, const CanvasView& view, const command::LinkDrop& drop) {
+void dropLink(Ui& ui, Session& session, Canvas& canvas, const CanvasView& view,
+              const command::LinkDrop& drop) {
   const LinkDrag& drag = drop.drag;
   const Hit& on = drop.on;
-  if (on.kind == Hit::Kind::Canvas || on.kind == Hit::Kind::Frame) return dropOnCanvas(editor, view, drop);
+  if (on.kind == Hit::Kind::Canvas || on.kind == Hit::Kind::Frame)
+    return dropOnCanvas(ui, session, canvas, view, drop);
   if (on.kind != Hit::Kind::Input && on.kind != Hit::Kind::Output) return;
   if (on.node == drag.node && on.socket == drag.socket) return;
-  const auto refused =
-      editor.canvas.refusals.find(socketKey(on.node, on.socket, on.kind == Hit::Kind::Input));
-  if (refused != editor.canvas.refusals.end()) return editor.messages.hint(refused->second);
+  const auto refused = canvas.refusals.find(socketKey(on.node, on.socket, on.kind == Hit::Kind::Input));
+  if (refused != canvas.refusals.end()) return ui.messages.hint(refused->second);
   if (!drag.moves.empty())
-    return void(tryEdit(editor,
-                        nodes::moveLinks(editor.document.graph(), drag.node, drag.socket, on.node, on.socket),
-                        "Move " + plural(drag.moves.size(), "link", "links")));
-  tryEdit(editor, nodes::connect(graphForDrag(editor, drag), linkBetween(drag, on.node, on.socket)), "Link");
+    return void(
+        tryEdit(session, ui.messages,
+                nodes::moveLinks(session.document.graph(), drag.node, drag.socket, on.node, on.socket),
+                "Move " + plural(drag.moves.size(), "link", "links")));
+  tryEdit(session, ui.messages,
+          nodes::connect(graphForDrag(session, drag), linkBetween(drag, on.node, on.socket)), "Link");
 }
 
-Hit snappedToNode(const Editor& editor, const Layout& layout, const Hit& hit) {
-  const LinkDrag& drag = editor.canvas.interaction.link;
+Hit snappedToNode(const Session& session, const Canvas& canvas, const Layout& layout, const Hit& hit) {
+  const LinkDrag& drag = canvas.interaction.link;
   const NodePlace* place = hit.kind == Hit::Kind::Node ? findPlace(layout, hit.node) : nullptr;
   if (!place || hit.node == drag.node) return hit;
   const bool input = wantsInput(drag);
@@ -143,8 +148,8 @@ Hit snappedToNode(const Editor& editor, const Layout& layout, const Hit& hit) {
     return socket;
   };
   for (const SocketPlace& s : place->sockets) {
-    if (s.input != input || editor.canvas.refusals.contains(socketKey(hit.node, s.id, s.input))) continue;
-    const auto& links = editor.document.graph().links;
+    if (s.input != input || canvas.refusals.contains(socketKey(hit.node, s.id, s.input))) continue;
+    const auto& links = session.document.graph().links;
     const bool free = !input || s.many || std::none_of(links.begin(), links.end(), [&](const nodes::Link& l) {
       return l.toNode == hit.node && l.toSocket == s.id;
     });
@@ -154,47 +159,47 @@ Hit snappedToNode(const Editor& editor, const Layout& layout, const Hit& hit) {
   return taken ? at(*taken) : hit;
 }
 
-std::string refusalAt(const Editor& editor, const Layout& layout, const Hit& hit) {
-  const LinkDrag& drag = editor.canvas.interaction.link;
+std::string refusalAt(const Canvas& canvas, const Layout& layout, const Hit& hit) {
+  const LinkDrag& drag = canvas.interaction.link;
   if (hit.kind == Hit::Kind::Input || hit.kind == Hit::Kind::Output) {
-    const auto found =
-        editor.canvas.refusals.find(socketKey(hit.node, hit.socket, hit.kind == Hit::Kind::Input));
-    return found == editor.canvas.refusals.end() ? std::string() : found->second;
+    const auto found = canvas.refusals.find(socketKey(hit.node, hit.socket, hit.kind == Hit::Kind::Input));
+    return found == canvas.refusals.end() ? std::string() : found->second;
   }
   if (hit.kind != Hit::Kind::Node || hit.node == drag.node || !findPlace(layout, hit.node)) return {};
   return fmt::format("No {} of {} takes this link.", wantsInput(drag) ? "input" : "output", hit.node);
 }
 
-void finishStroke(Editor& editor, const CanvasView& view, const Layout& layout,
+void finishStroke(Ui& ui, Session& session, const CanvasView& view, const Layout& layout,
                   const command::StrokeDone& stroke) {
   std::vector<vec2> line = stroke.points;
   for (vec2& p : line) p = view.canvas(p);
-  const std::vector<Crossing> crossed = crossings(layout, editor.document.graph(), line);
-  if (crossed.empty()) return editor.messages.hint("The line crosses no link.");
+  const std::vector<Crossing> crossed = crossings(layout, session.document.graph(), line);
+  if (crossed.empty()) return ui.messages.hint("The line crosses no link.");
   if (stroke.kind == Stroke::Cut)
-    tryEdit(editor, nodes::disconnectAll(editor.document.graph(), linksOf(crossed)),
+    tryEdit(session, ui.messages, nodes::disconnectAll(session.document.graph(), linksOf(crossed)),
             "Cut " + plural(crossed.size(), "link", "links"));
   else if (stroke.kind == Stroke::Mute)
-    muteLinks(editor, crossed);
+    muteLinks(ui, session, crossed);
   else
-    putDots(editor, crossed);
+    putDots(ui, session, crossed);
 }
 
-void putDot(Editor& editor, const nodes::Link& link, dvec2 at) {
+void putDot(Ui& ui, Session& session, const nodes::Link& link, dvec2 at) {
   std::string dot;
-  if (!tryEdit(editor, nodes::addDot(editor.document.graph(), link, dotPlace(vec2(at)), &dot), "Add dot"))
+  if (!tryEdit(session, ui.messages, nodes::addDot(session.document.graph(), link, dotPlace(vec2(at)), &dot),
+               "Add dot"))
     return;
-  editor.canvas.selectedLink.reset();
-  editor.document.select({dot});
+  session.selectedLink.reset();
+  session.document.select({dot});
 }
 
-void dotOnSelectedLink(Editor& editor) {
-  if (!editor.canvas.selectedLink) return;
-  const nodes::Link link = *editor.canvas.selectedLink;
-  const Layout layout = layoutGraph(editor.document.graph(), {});
+void dotOnSelectedLink(Ui& ui, Session& session) {
+  if (!session.selectedLink) return;
+  const nodes::Link link = *session.selectedLink;
+  const Layout layout = layoutGraph(session.document.graph(), {});
   vec2 from, to;
   nodes::SocketType type;
-  if (linkEnds(layout, link, from, to, type)) putDot(editor, link, dvec2(0.5f * (from + to)));
+  if (linkEnds(layout, link, from, to, type)) putDot(ui, session, link, dvec2(0.5f * (from + to)));
 }
 
 }  // namespace pileus::editor

@@ -6,7 +6,11 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Settings;
+struct Theme;
+struct Ui;
 
 struct Minimap {
   bool dragging = false;
@@ -14,7 +18,9 @@ struct Minimap {
 };
 
 /// Follows the pointer; true: it is over the map, which has it.
-bool updateMinimap(Editor& editor, const CanvasView& view, const Layout& layout, bool hovered);
-void drawMinimap(Editor& editor, const CanvasView& view, const Layout& layout);
+bool updateMinimap(const Theme& theme, const Session& session, Settings& settings, Canvas& canvas,
+                   const CanvasView& view, const Layout& layout, bool hovered);
+void drawMinimap(Ui& ui, const Session& session, const Settings& settings, const Canvas& canvas,
+                 const CanvasView& view, const Layout& layout);
 
 }  // namespace pileus::editor

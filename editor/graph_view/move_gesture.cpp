@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/draw_link.h"
 #include "editor/graph_view/frames.h"
 #include "editor/graph_view/layout/path_geometry.h"
+#include "editor/toolkit/ui.h"
 #include "nodes/graph/graph_edits.h"
 #include "nodes/graph/graph_frames.h"
 
@@ -18,42 +20,42 @@ std::string named(const char* verb, const std::set<std::string>& names) {
 
 }  // namespace
 
-const nodes::Graph& shownGraph(const Editor& editor) {
-  return editor.canvas.moving.active ? editor.canvas.moving.graph : editor.document.graph();
+const nodes::Graph& shownGraph(const Session& session, const Canvas& canvas) {
+  return canvas.moving.active ? canvas.moving.graph : session.document.graph();
 }
 
-void moveBy(Editor& editor, dvec2 by) {
-  MoveGesture& moving = editor.canvas.moving;
-  const std::set<std::string>& names = editor.document.selection();
+void moveBy(const Session& session, Canvas& canvas, dvec2 by) {
+  MoveGesture& moving = canvas.moving;
+  const std::set<std::string>& names = session.document.selection();
   if (names.empty()) return;
   moving.active = true;
   moving.by += by;
-  moving.graph = nodes::moveNodes(editor.document.graph(), names, moving.by);
+  moving.graph = nodes::moveNodes(session.document.graph(), names, moving.by);
 }
 
-void findDropLink(Editor& editor, const Layout& layout) {
-  MoveGesture& moving = editor.canvas.moving;
-  const std::set<std::string>& names = editor.document.selection();
+void findDropLink(const Session& session, Canvas& canvas, const Layout& layout) {
+  MoveGesture& moving = canvas.moving;
+  const std::set<std::string>& names = session.document.selection();
   moving.onto.reset();
   if (moving.active && !moving.frame && names.size() == 1)
     moving.onto = linkUnder(layout, moving.graph, *names.begin());
 }
 
-void dropNodes(Editor& editor) {
-  if (!editor.canvas.moving.active) return;
-  findDropLink(editor, layoutGraph(editor.canvas.moving.graph, {}));
-  const MoveGesture moving = std::exchange(editor.canvas.moving, {});
-  const std::set<std::string> names = editor.document.selection();
+void dropNodes(Ui& ui, Session& session, Canvas& canvas) {
+  if (!canvas.moving.active) return;
+  findDropLink(session, canvas, layoutGraph(canvas.moving.graph, {}));
+  const MoveGesture moving = std::exchange(canvas.moving, {});
+  const std::set<std::string> names = session.document.selection();
   if (moving.onto)
-    tryEdit(editor, nodes::insertOnLink(moving.graph, *names.begin(), *moving.onto),
+    tryEdit(session, ui.messages, nodes::insertOnLink(moving.graph, *names.begin(), *moving.onto),
             "Insert " + *names.begin() + " on a link");
   else
-    tryEdit(editor, moving.graph, named("Move", names));
+    tryEdit(session, ui.messages, moving.graph, named("Move", names));
 }
 
-void dragFrameBy(Editor& editor, const command::FrameDrag& drag, dvec2 by) {
-  MoveGesture& moving = editor.canvas.moving;
-  const nodes::Graph& graph = editor.document.graph();
+void dragFrameBy(const Session& session, Canvas& canvas, const command::FrameDrag& drag, dvec2 by) {
+  MoveGesture& moving = canvas.moving;
+  const nodes::Graph& graph = session.document.graph();
   if (drag.frame >= graph.frames.size()) return;
   moving.active = true;
   moving.by += by;
@@ -63,15 +65,15 @@ void dragFrameBy(Editor& editor, const command::FrameDrag& drag, dvec2 by) {
                                   : nodes::moveFrame(graph, drag.frame, moving.by, drag.content);
 }
 
-void dropFrame(Editor& editor) {
-  MoveGesture moving = std::exchange(editor.canvas.moving, {});
+void dropFrame(Ui& ui, Session& session, Canvas& canvas) {
+  MoveGesture moving = std::exchange(canvas.moving, {});
   if (!moving.active || !moving.frame || moving.frame->frame >= moving.graph.frames.size()) return;
   const std::string& title = moving.graph.frames[moving.frame->frame].title;
   const char* verb = moving.frame->sides.any() ? "Resize frame" : "Move frame";
-  tryEdit(editor, std::move(moving.graph), verb + (title.empty() ? "" : " " + title));
+  tryEdit(session, ui.messages, std::move(moving.graph), verb + (title.empty() ? "" : " " + title));
 }
 
-void cancelMove(Editor& editor) { editor.canvas.moving = {}; }
+void cancelMove(Canvas& canvas) { canvas.moving = {}; }
 
 std::optional<nodes::Link> linkUnder(const Layout& layout, const nodes::Graph& graph,
                                      const std::string& name) {

@@ -10,7 +10,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Ui;
 
 struct MoveGesture {
   bool active = false;
@@ -21,15 +23,15 @@ struct MoveGesture {
 };
 
 /// What the canvas shows: the document's graph, or the one of a drag.
-const nodes::Graph& shownGraph(const Editor& editor);
+const nodes::Graph& shownGraph(const Session& session, const Canvas& canvas);
 
-void moveBy(Editor& editor, dvec2 by);
+void moveBy(const Session& session, Canvas& canvas, dvec2 by);
 /// Finds the link under the dragged node; `layout` is of shownGraph().
-void findDropLink(Editor& editor, const Layout& layout);
-void dropNodes(Editor& editor);
-void dragFrameBy(Editor& editor, const command::FrameDrag& drag, dvec2 by);
-void dropFrame(Editor& editor);
-void cancelMove(Editor& editor);
+void findDropLink(const Session& session, Canvas& canvas, const Layout& layout);
+void dropNodes(Ui& ui, Session& session, Canvas& canvas);
+void dragFrameBy(const Session& session, Canvas& canvas, const command::FrameDrag& drag, dvec2 by);
+void dropFrame(Ui& ui, Session& session, Canvas& canvas);
+void cancelMove(Canvas& canvas);
 
 /// The link under a node that a drop would put the node into; nothing where it does not fit or has such links
 /// already.

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <deque>
 
-#include "editor/app/editor.h"
+#include "editor/graph_view/canvas_draw.h"
+#include "editor/graph_view/move_gesture.h"
 #include "editor/graph_view/node_status.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 namespace {
@@ -137,12 +139,14 @@ void drawCosts(const Theme& theme, const CanvasView& view, const NodePlace& plac
            shown, 1e4f);
 }
 
-std::string sourceOfError(const Editor& editor, const Layout& layout, const std::string& node) {
-  const std::vector<nodes::Link>& links = shownGraph(editor).links;
+std::string sourceOfError(const Session& session, const Shown& shown, const Canvas& canvas,
+                          const Layout& layout, const std::string& node) {
+  const std::vector<nodes::Link>& links = shownGraph(session, canvas).links;
   std::deque<std::string_view> open{node};
   std::set<std::string_view> seen{node};
   for (; !open.empty(); open.pop_front()) {
-    if (open.front() != node && statusOf(editor, std::string(open.front())).state == nodes::NodeState::Failed)
+    if (open.front() != node &&
+        statusOf(session, shown, std::string(open.front())).state == nodes::NodeState::Failed)
       return std::string(open.front());
     for (const LinkPlace& l : layout.links) {
       const NodePlace& from = layout.nodes[static_cast<std::size_t>(l.from)];

@@ -6,7 +6,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Shown;
+struct Theme;
 
 enum class FooterKind { None, Failed, Follower, Warning, Working };
 FooterKind footerKind(const nodes::NodeStatus& status);
@@ -23,6 +26,7 @@ void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& pla
 void drawCosts(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look);
 
 /// The node whose failure keeps `node` from being made: the nearest one upstream; "" = none failed.
-std::string sourceOfError(const Editor& editor, const Layout& layout, const std::string& node);
+std::string sourceOfError(const Session& session, const Shown& shown, const Canvas& canvas,
+                          const Layout& layout, const std::string& node);
 
 }  // namespace pileus::editor

@@ -6,10 +6,11 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Session;
+struct Shown;
 
 /// The evaluator's name of a node on the canvas.
-std::string evaluatedName(const Editor& editor, const std::string& node);
-const nodes::NodeStatus& statusOf(const Editor& editor, const std::string& node);
+std::string evaluatedName(const Session& session, const std::string& node);
+const nodes::NodeStatus& statusOf(const Session& session, const Shown& shown, const std::string& node);
 
 }  // namespace pileus::editor

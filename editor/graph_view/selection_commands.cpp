@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_commands.h"
 #include "editor/graph_view/frames.h"
+#include "editor/toolkit/ui.h"
 #include "nodes/graph/graph_edits.h"
 
 namespace pileus::editor {
@@ -16,90 +18,93 @@ std::string named(const char* verb, const std::set<std::string>& names) {
 }
 
 template <class Test>
-bool all(const Editor& editor, Test test) {
-  const std::set<std::string>& names = editor.document.selection();
+bool all(const Session& session, Test test) {
+  const std::set<std::string>& names = session.document.selection();
   return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    const nodes::Node* node = nodes::findNode(editor.document.graph(), name);
+    const nodes::Node* node = nodes::findNode(session.document.graph(), name);
     return node && test(*node);
   });
 }
 
-void select(Editor& editor, std::set<std::string> names) {
-  editor.canvas.selectedLink.reset();
-  editor.canvas.selectedFrame.reset();
-  editor.document.select(std::move(names));
+void select(Session& session, Canvas& canvas, std::set<std::string> names) {
+  session.selectedLink.reset();
+  canvas.selectedFrame.reset();
+  session.document.select(std::move(names));
 }
 
 }  // namespace
 
-void deleteSelection(Editor& editor) {
-  Canvas& canvas = editor.canvas;
-  if (canvas.selectedLink) {
-    tryEdit(editor, nodes::disconnect(editor.document.graph(), *canvas.selectedLink), "Remove link");
-    canvas.selectedLink.reset();
+void deleteSelection(Ui& ui, Session& session, Canvas& canvas) {
+  if (session.selectedLink) {
+    tryEdit(session, ui.messages, nodes::disconnect(session.document.graph(), *session.selectedLink),
+            "Remove link");
+    session.selectedLink.reset();
   } else if (canvas.selectedFrame) {
-    removeFrame(editor, *canvas.selectedFrame);
-  } else if (const std::set<std::string> names = editor.document.selection(); !names.empty()) {
-    tryEdit(editor, nodes::removeNodes(editor.document.graph(), names), named("Delete", names));
+    removeFrame(ui, session, canvas, *canvas.selectedFrame);
+  } else if (const std::set<std::string> names = session.document.selection(); !names.empty()) {
+    tryEdit(session, ui.messages, nodes::removeNodes(session.document.graph(), names),
+            named("Delete", names));
   }
 }
 
-void deleteReconnecting(Editor& editor) {
-  const std::set<std::string> names = editor.document.selection();
-  if (names.empty()) return deleteSelection(editor);
-  tryEdit(editor, nodes::removeNodes(editor.document.graph(), names, true),
+void deleteReconnecting(Ui& ui, Session& session, Canvas& canvas) {
+  const std::set<std::string> names = session.document.selection();
+  if (names.empty()) return deleteSelection(ui, session, canvas);
+  tryEdit(session, ui.messages, nodes::removeNodes(session.document.graph(), names, true),
           named("Delete and reconnect", names));
 }
 
-void extractSelection(Editor& editor) {
-  const std::set<std::string> names = editor.document.selection();
+void extractSelection(Ui& ui, Session& session) {
+  const std::set<std::string> names = session.document.selection();
   if (names.empty()) return;
-  tryEdit(editor, nodes::extractNodes(editor.document.graph(), names), named("Extract", names));
+  tryEdit(session, ui.messages, nodes::extractNodes(session.document.graph(), names),
+          named("Extract", names));
 }
 
-void bypassSelection(Editor& editor) {
-  const std::set<std::string> names = editor.document.selection();
+void bypassSelection(Ui& ui, Session& session) {
+  const std::set<std::string> names = session.document.selection();
   if (names.empty()) return;
-  const bool on = all(editor, [](const nodes::Node& n) { return n.bypass; });
-  tryEdit(editor, nodes::setBypass(editor.document.graph(), names, !on),
+  const bool on = all(session, [](const nodes::Node& n) { return n.bypass; });
+  tryEdit(session, ui.messages, nodes::setBypass(session.document.graph(), names, !on),
           named(on ? "Use again" : "Bypass", names));
 }
 
-void disableSelection(Editor& editor) {
-  const std::set<std::string> names = editor.document.selection();
+void disableSelection(Ui& ui, Session& session) {
+  const std::set<std::string> names = session.document.selection();
   if (names.empty()) return;
-  const bool on = all(editor, [](const nodes::Node& n) { return n.disabled; });
-  tryEdit(editor, nodes::disableNodes(editor.document.graph(), names, !on),
+  const bool on = all(session, [](const nodes::Node& n) { return n.disabled; });
+  tryEdit(session, ui.messages, nodes::disableNodes(session.document.graph(), names, !on),
           named(on ? "Enable" : "Disable", names));
 }
 
-void muteSelectedLink(Editor& editor) {
-  if (!editor.canvas.selectedLink) return;
-  nodes::Link link = *editor.canvas.selectedLink;
-  if (!tryEdit(editor, nodes::setMuted(editor.document.graph(), link, !link.muted),
+void muteSelectedLink(Ui& ui, Session& session) {
+  if (!session.selectedLink) return;
+  nodes::Link link = *session.selectedLink;
+  if (!tryEdit(session, ui.messages, nodes::setMuted(session.document.graph(), link, !link.muted),
                link.muted ? "Unmute link" : "Mute link"))
     return;
   link.muted = !link.muted;
-  editor.canvas.selectedLink = link;
+  session.selectedLink = link;
 }
 
-void colorSelection(Editor& editor, const std::string& color) {
-  const std::set<std::string> names = editor.document.selection();
-  tryEdit(editor, nodes::setColor(editor.document.graph(), names, color), named("Colour", names));
+void colorSelection(Ui& ui, Session& session, const std::string& color) {
+  const std::set<std::string> names = session.document.selection();
+  tryEdit(session, ui.messages, nodes::setColor(session.document.graph(), names, color),
+          named("Colour", names));
 }
 
-void selectAllNodes(Editor& editor) {
+void selectAllNodes(Session& session, Canvas& canvas) {
   std::set<std::string> names;
-  for (const auto& [name, node] : editor.document.graph().nodes) names.insert(name);
-  select(editor, std::move(names));
+  for (const auto& [name, node] : session.document.graph().nodes) names.insert(name);
+  select(session, canvas, std::move(names));
 }
 
-void selectUpstream(Editor& editor) {
-  select(editor, nodes::upstreamOf(editor.document.graph(), editor.document.selection()));
+void selectUpstream(Session& session, Canvas& canvas) {
+  select(session, canvas, nodes::upstreamOf(session.document.graph(), session.document.selection()));
 }
 
-void selectDownstream(Editor& editor) {
-  select(editor, nodes::downstreamOf(editor.document.graph(), editor.document.selection()));
+void selectDownstream(Session& session, Canvas& canvas) {
+  select(session, canvas, nodes::downstreamOf(session.document.graph(), session.document.selection()));
 }
 
 }  // namespace pileus::editor

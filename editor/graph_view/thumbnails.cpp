@@ -4,8 +4,14 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
+#include "editor/graph_view/graph_room.h"
 #include "editor/graph_view/node_status.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport_bar.h"
 #include "renderer/shadow/shadow_map.h"
 #include "renderer/view/map_thumbnail.h"
@@ -31,14 +37,14 @@ std::shared_ptr<const view::Picture> pictureOf(const nodes::SocketValue* value) 
 
 }  // namespace
 
-bool Thumbnails::passing(const Editor& editor, const Entry& e) const {
-  const bool moving = editor.timeline.clock.playing() || editor.preview.interacting();
-  return moving && e.picture.texture && e.frame != editor.frame && ImGui::GetTime() - e.madeAt < kEvery;
+bool Thumbnails::passing(const Clock& clock, const Shown& shown, const Entry& e) const {
+  const bool moving = clock.play.playing() || shown.preview.interacting();
+  return moving && e.picture.texture && e.frame != clock.frame && ImGui::GetTime() - e.madeAt < kEvery;
 }
 
-void Thumbnails::made(const Editor& editor, Entry& e) {
+void Thumbnails::made(const Shown& shown, Entry& e) {
   e.madeAt = ImGui::GetTime();
-  e.frame = editor.preview.frame();
+  e.frame = shown.preview.frame();
 }
 
 int Thumbnails::frameOf(const std::string& name) const {
@@ -46,12 +52,14 @@ int Thumbnails::frameOf(const std::string& name) const {
   return it == entries_.end() || !it->second.picture.texture ? 0 : it->second.frame;
 }
 
-NodePicture Thumbnails::image(Editor& editor, const std::string& name) {
+NodePicture Thumbnails::image(const Session& session, const Clock& clock, Shown& shown,
+                              const std::string& name) {
   const std::shared_ptr<const view::Picture> picture =
-      pictureOf(shownImage(editor.preview.evaluator(), editor.document.root(), evaluatedName(editor, name)));
+      pictureOf(shownImage(shown.preview.evaluator(), session.document.root(), evaluatedName(session, name)));
   Entry& e = entries_[name];
-  if (!picture || picture->size.x <= 0 || !editor.viewport.colors || passing(editor, e)) return e.picture;
-  const view::DisplaySettings settings = displaySettings(editor);
+  if (!picture || picture->size.x <= 0 || !shown.displayed.colors || passing(clock, shown, e))
+    return e.picture;
+  const view::DisplaySettings settings = displaySettings(session, clock, shown);
   const std::string display = fmt::format("{}|{}|{}|{}|{}|{}", settings.display, settings.view, settings.look,
                                           settings.exposure, settings.gamma, settings.raw);
   const bool same = e.source == picture && e.fraction == picture->fraction && e.display == display;
@@ -62,22 +70,23 @@ NodePicture Thumbnails::image(Editor& editor, const std::string& name) {
   plain.display = settings.display, plain.view = settings.view, plain.look = settings.look;
   plain.exposure = settings.exposure, plain.gamma = settings.gamma, plain.raw = settings.raw;
   const ivec2 size = fitted(picture->size);
-  const Result<unsigned> texture = editor.viewport.display.draw(picture->color, picture->size, size,
-                                                                *editor.viewport.colors, plain, e.slot);
+  const Result<unsigned> texture = shown.displayed.display.draw(picture->color, picture->size, size,
+                                                                *shown.displayed.colors, plain, e.slot);
   e.source = picture;
   e.fraction = picture->fraction;
   e.display = display;
   e.picture = {texture ? *texture : 0u, size, 0};
-  made(editor, e);
+  made(shown, e);
   return e.picture;
 }
 
-NodePicture Thumbnails::map(Editor& editor, const std::string& name, const nodes::NodeType& type) {
+NodePicture Thumbnails::map(const Session& session, const Clock& clock, const Shown& shown,
+                            const std::string& name, const nodes::NodeType& type) {
   Entry& e = entries_[name];
   std::shared_ptr<const shadow::PseudometricMap> metric;
   std::shared_ptr<const shadow::ShadowMap> shadow;
   for (const nodes::SocketSpec& s : type.outputs) {
-    const nodes::SocketValue* value = editor.preview.evaluator().output(evaluatedName(editor, name), s.id);
+    const nodes::SocketValue* value = shown.preview.evaluator().output(evaluatedName(session, name), s.id);
     if (!value) continue;
     if (const auto* m = std::get_if<nodes::MetricValue>(value); m && !m->items.empty())
       metric = m->items.front();
@@ -87,37 +96,38 @@ NodePicture Thumbnails::map(Editor& editor, const std::string& name, const nodes
   }
   const std::shared_ptr<const void> source =
       shadow ? std::shared_ptr<const void>(shadow) : std::shared_ptr<const void>(metric);
-  if (!source || source == e.source || passing(editor, e)) return e.picture;
-  const shadow::Gpu gpu = editor.renderer->gpu();
+  if (!source || source == e.source || passing(clock, shown, e)) return e.picture;
+  const shadow::Gpu gpu = shown.renderer.gpu();
   const Result<int> tiles = shadow ? view::drawMapThumbnail(gpu, *shadow, kTile, e.texture)
                                    : view::drawMapThumbnail(gpu, *metric, kTile, e.texture);
   e.source = source;
-  made(editor, e);
+  made(shown, e);
   e.picture = {};
   if (tiles && *tiles > 0) e.picture = {e.texture.id(), ivec2(kTile), *tiles};
   return e.picture;
 }
 
-NodePicture nodePicture(Editor& editor, const NodePlace& place) {
-  Thumbnails& all = editor.canvas.pictures;
-  const NodePicture picture = place.thumbnail == Thumbnail::Map ? all.map(editor, place.name, *place.type)
-                                                                : all.image(editor, place.name);
-  if (editor.trace.on())
-    editor.trace.note("thumbnail " + place.name, std::to_string(all.frameOf(place.name)));
+NodePicture nodePicture(const GraphRoom& room, const NodePlace& place) {
+  Thumbnails& all = room.canvas.pictures;
+  const NodePicture picture = place.thumbnail == Thumbnail::Map
+                                  ? all.map(room.session, room.clock, room.shown, place.name, *place.type)
+                                  : all.image(room.session, room.clock, room.shown, place.name);
+  if (room.ui.trace.on())
+    room.ui.trace.note("thumbnail " + place.name, std::to_string(all.frameOf(place.name)));
   return picture;
 }
 
-void toggleThumbnails(Editor& editor) {
-  ThumbnailChoice& choice = editor.canvas.thumbnails;
-  choice.all = editor.settings.showThumbnails;
+void toggleThumbnails(Ui& ui, const Session& session, const Settings& settings, Canvas& canvas) {
+  ThumbnailChoice& choice = canvas.thumbnails;
+  choice.all = settings.showThumbnails;
   std::vector<std::string> able;
-  for (const std::string& name : editor.document.selection()) {
-    const nodes::Node* node = nodes::findNode(shownGraph(editor), name);
+  for (const std::string& name : session.document.selection()) {
+    const nodes::Node* node = nodes::findNode(shownGraph(session, canvas), name);
     const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
     if (type && thumbnailKind(*type) != Thumbnail::None) able.push_back(name);
   }
   if (able.empty())
-    return editor.messages.hint("Select nodes that make a picture or a shadow map to show it on them.");
+    return ui.messages.hint("Select nodes that make a picture or a shadow map to show it on them.");
   const bool on =
       std::all_of(able.begin(), able.end(), [&](const std::string& n) { return choice.shows(n); });
   for (const std::string& name : able)

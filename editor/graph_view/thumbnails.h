@@ -10,12 +10,19 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Clock;
+struct GraphRoom;
+struct Session;
+struct Settings;
+struct Shown;
+struct Ui;
 
 class Thumbnails {
  public:
-  NodePicture image(Editor& editor, const std::string& name);
-  NodePicture map(Editor& editor, const std::string& name, const nodes::NodeType& type);
+  NodePicture image(const Session& session, const Clock& clock, Shown& shown, const std::string& name);
+  NodePicture map(const Session& session, const Clock& clock, const Shown& shown, const std::string& name,
+                  const nodes::NodeType& type);
   /// Of the picture that is there; 0 = none is.
   int frameOf(const std::string& name) const;
 
@@ -30,15 +37,15 @@ class Thumbnails {
     NodePicture picture;
   };
   /// Another frame is shown, but soon the next one: what is there stays for now.
-  bool passing(const Editor& editor, const Entry& e) const;
-  void made(const Editor& editor, Entry& e);
+  bool passing(const Clock& clock, const Shown& shown, const Entry& e) const;
+  void made(const Shown& shown, Entry& e);
 
   std::map<std::string, Entry> entries_;
   int slots_ = 0;
 };
 
-NodePicture nodePicture(Editor& editor, const NodePlace& place);
+NodePicture nodePicture(const GraphRoom& room, const NodePlace& place);
 /// Shift+H: turns the pictures of the selected nodes on or off together.
-void toggleThumbnails(Editor& editor);
+void toggleThumbnails(Ui& ui, const Session& session, const Settings& settings, Canvas& canvas);
 
 }  // namespace pileus::editor

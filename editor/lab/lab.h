@@ -9,7 +9,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct LabRoom;
+struct Settings;
+struct Shown;
+struct Ui;
 
 enum class LabTab { Shootout, Tune };
 constexpr auto enumInfo(LabTab*) {
@@ -26,12 +29,12 @@ struct Lab {
 };
 
 /// Is something being measured that can go on now?
-bool labWantsFrame(const Editor& editor);
-void stepLab(Editor& editor, double ms);
-void drawLab(Editor& editor, ImVec2 min, ImVec2 max);
+bool labWantsFrame(const Shown& shown, const Lab& lab);
+void stepLab(Ui& ui, const Shown& shown, Lab& lab, double ms);
+void drawLab(const LabRoom& room, ImVec2 min, ImVec2 max);
 
 /// Opens the dock at that tab, or closes it there.
-void toggleShootout(Editor& editor);
-void toggleTune(Editor& editor);
+void toggleShootout(Settings& settings, Lab& lab);
+void toggleTune(Settings& settings, Lab& lab);
 
 }  // namespace pileus::editor

@@ -11,12 +11,12 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Settings;
+struct Shown;
+struct Ui;
 
 struct RayScope {
-  bool picking = false;        ///< a plain click in the picture picks
-  std::optional<dvec3> point;  ///< what was picked, world
-  std::size_t light = 0;       ///< among the lights with a shadow
+  std::size_t light = 0;  ///< among the lights with a shadow
 
   // What is shown, and what it was made for.
   std::optional<view::RayProbe> probe;
@@ -32,14 +32,8 @@ struct RayScope {
   view::ExtinctionOverU overU;
 };
 
-/// What is seen at `uv` of the picture ([0,1]^2, y down): half of what the ray scatters to the eye comes from
-/// in front of it; a solid where most of that shines through. Opens the panel.
-void pickRay(Editor& editor, dvec2 uv);
-/// The mark of the picked point over the picture.
-void drawPickedRay(Editor& editor);
-void drawRayScope(Editor& editor, ImVec2 min, ImVec2 max);
+void drawRayScope(Ui& ui, Shown& shown, Settings& settings, RayScope& scope, ImVec2 min, ImVec2 max);
 
-void togglePicking(Editor& editor);
-void toggleScope(Editor& editor);
+void toggleScope(Shown& shown, Settings& settings);
 
 }  // namespace pileus::editor

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/lab/ray_scope.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "renderer/shadow/metric.h"
 
@@ -23,8 +25,7 @@ bool deep(const view::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Ki
 bool marched(const view::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::RayMarch; }
 bool hasMetric(const view::RayProbe& p) { return p.map->metric && p.map->metric->block; }
 
-Plot plotIn(Editor& editor, const ChartSpace& space, float height, dvec2 x, dvec2 y) {
-  const Theme& theme = editor.theme;
+Plot plotIn(const Theme& theme, const ChartSpace& space, float height, dvec2 x, dvec2 y) {
   Plot plot;
   plot.draw = ImGui::GetWindowDrawList();
   plot.theme = &theme;
@@ -34,9 +35,8 @@ Plot plotIn(Editor& editor, const ChartSpace& space, float height, dvec2 x, dvec
   return plot;
 }
 
-void heading(Editor& editor, ChartSpace& space, const std::string& text,
+void heading(const Theme& theme, ChartSpace& space, const std::string& text,
              const std::vector<std::pair<std::string, ImU32>>& keys = {}) {
-  const Theme& theme = editor.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   drawText(draw, theme.small, {space.left, space.y}, palette::kTextDim, text, space.right - space.left);
   float x = space.right;
@@ -94,8 +94,8 @@ int laneCount(const view::RayProbe& p) {
 }
 
 /// Where which volume is, as bars under the chart.
-void drawVolumes(Editor& editor, ChartSpace& space, const view::RayProbe& p, const Plot& above) {
-  const Theme& theme = editor.theme;
+void drawVolumes(Ui& ui, ChartSpace& space, const view::RayProbe& p, const Plot& above) {
+  const Theme& theme = ui.theme;
   const float lane = theme.px(7);
   Plot plot = above;
   plot.lo.y = space.y, plot.hi.y = space.y + lane * static_cast<float>(laneCount(p));
@@ -113,7 +113,7 @@ void drawVolumes(Editor& editor, ChartSpace& space, const view::RayProbe& p, con
       const std::string text =
           fmt::format("{}: {:.4g} to {:.4g} m", part.name, p.metres(part.from), p.metres(part.to));
       tooltip(theme, text);
-      editor.trace.note("scope volume", text);
+      ui.trace.note("scope volume", text);
     }
   }
   space.y = plot.hi.y + theme.px(4);
@@ -132,20 +132,20 @@ std::string valuesAt(const view::RayProbe& p, const RayScope& scope, double x) {
   return text;
 }
 
-void hover(Editor& editor, const view::RayProbe& p, const Plot& plot) {
+void hover(Ui& ui, const RayScope& scope, const view::RayProbe& p, const Plot& plot) {
   if (!plot.hovered()) return;
   const double metres = plot.xAt(ImGui::GetIO().MousePos.x), x = (metres - p.nearDistance) / p.length;
   plotVertical(plot, metres, palette::kTextFaint, false);
-  const std::string text = valuesAt(p, editor.scope, x);
-  tooltip(editor.theme, text);
-  editor.trace.note("scope hover", text);
+  const std::string text = valuesAt(p, scope, x);
+  tooltip(ui.theme, text);
+  ui.trace.note("scope hover", text);
 }
 
-void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, const std::vector<double>& metres,
-                dvec2 range) {
-  const Theme& theme = editor.theme;
-  heading(editor, space, "g, the share of the metric in front");
-  const Plot plot = plotIn(editor, space, 0.8f * space.unit, range, {0, 1.06});
+void drawMetric(Ui& ui, const RayScope& scope, ChartSpace& space, const view::RayProbe& p,
+                const std::vector<double>& metres, dvec2 range) {
+  const Theme& theme = ui.theme;
+  heading(ui.theme, space, "g, the share of the metric in front");
+  const Plot plot = plotIn(ui.theme, space, 0.8f * space.unit, range, {0, 1.06});
   plotFrame(plot, AxisX::Grid, "", 2);
   // Plateaus: where g stands still nothing of the basis is spent.
   const std::vector<double>& u = p.u;
@@ -159,8 +159,8 @@ void drawMetric(Editor& editor, ChartSpace& space, const view::RayProbe& p, cons
   }
   plotLine(plot, metres, u, palette::kMetricSocket, 1.6f * theme.scale);
   plotVertical(plot, p.metres(p.pointX), palette::kSelect, true);
-  hover(editor, p, plot);
-  editor.trace.rect("scope/metric", im(plot.lo), im(plot.hi));
+  hover(ui, scope, p, plot);
+  ui.trace.rect("scope/metric", im(plot.lo), im(plot.hi));
   space.y = plot.hi.y + theme.space(2);
 }
 
@@ -186,28 +186,26 @@ std::string termText(const view::RayProbe& p, std::size_t k) {
 
 }  // namespace
 
-float chartOverhead(const Editor& editor) {
-  const Theme& theme = editor.theme;
-  const view::RayProbe& p = *editor.scope.probe;
+float chartOverhead(const Theme& theme, const RayScope& scope) {
+  const view::RayProbe& p = *scope.probe;
   const float heading = theme.small->FontSize + theme.px(5), axis = theme.small->FontSize + theme.px(6);
   float out = heading + axis + theme.px(7) * static_cast<float>(laneCount(p)) + theme.px(4) + theme.space(2);
   if (hasMetric(p)) out += heading + theme.space(2);
-  if (!editor.scope.overU.exact.empty()) out += heading + axis + theme.space(2);
+  if (!scope.overU.exact.empty()) out += heading + axis + theme.space(2);
   if (!p.taps.taps.empty()) out += heading + theme.space(2);
   return out;
 }
 
-void drawTransmittance(Editor& editor, ChartSpace& space) {
-  const Theme& theme = editor.theme;
-  const RayScope& scope = editor.scope;
+void drawTransmittance(Ui& ui, const RayScope& scope, ChartSpace& space) {
+  const Theme& theme = ui.theme;
   const view::RayProbe& p = *scope.probe;
   const std::vector<double> metres = metresOf(p);
   const dvec2 range = shownRange(p);
   std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kExact}};
   if (!p.mapped.empty()) keys.push_back({"map", palette::kAccent});
   if (!scope.mutedT.empty()) keys.push_back({"muted", palette::kSelect});
-  heading(editor, space, "Transmittance T from the light", keys);
-  const Plot plot = plotIn(editor, space, 2 * space.unit, range, {0, 1.04});
+  heading(ui.theme, space, "Transmittance T from the light", keys);
+  const Plot plot = plotIn(ui.theme, space, 2 * space.unit, range, {0, 1.04});
   plotFrame(plot, AxisX::Labels, "m");
   if (!p.mapped.empty()) plotBetween(plot, metres, p.exact, p.mapped, palette::kLeak, palette::kOverdark);
   plotVertical(plot, p.metres(p.pointX), palette::kSelect, true);
@@ -222,25 +220,25 @@ void drawTransmittance(Editor& editor, ChartSpace& space) {
   if (!p.mapped.empty())
     plotDot(plot, p.metres(p.pointX), interpolated(p.x, p.mapped, p.pointX), palette::kAccent,
             theme.px(3.5f));
-  hover(editor, p, plot);
-  editor.trace.rect("scope/transmittance", im(plot.lo), im(plot.hi));
+  hover(ui, scope, p, plot);
+  ui.trace.rect("scope/transmittance", im(plot.lo), im(plot.hi));
   space.y = plot.hi.y + theme.small->FontSize + theme.px(6);
-  drawVolumes(editor, space, p, plot);
+  drawVolumes(ui, space, p, plot);
   space.y += theme.space(2);
-  if (hasMetric(p)) drawMetric(editor, space, p, metres, range);
+  if (hasMetric(p)) drawMetric(ui, scope, space, p, metres, range);
 }
 
-void drawExtinction(Editor& editor, ChartSpace& space) {
-  const Theme& theme = editor.theme;
-  const view::RayProbe& p = *editor.scope.probe;
-  const view::ExtinctionOverU& e = editor.scope.overU;
+void drawExtinction(Ui& ui, const RayScope& scope, ChartSpace& space) {
+  const Theme& theme = ui.theme;
+  const view::RayProbe& p = *scope.probe;
+  const view::ExtinctionOverU& e = scope.overU;
   if (e.exact.empty()) return;
-  const bool muted = !editor.scope.mutedT.empty();
+  const bool muted = !scope.mutedT.empty();
   std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kGhost}};
   if (!e.mapped.empty())
     keys.push_back({muted ? "muted" : "series", muted ? palette::kSelect : palette::kAccent});
-  heading(editor, space, hasMetric(p) ? "Extinction over g, d\xcf\x84/dg" : "Extinction over x, d\xcf\x84/dx",
-          keys);
+  heading(ui.theme, space,
+          hasMetric(p) ? "Extinction over g, d\xcf\x84/dg" : "Extinction over x, d\xcf\x84/dx", keys);
   double lo = 0, hi = 1e-6;
   for (const auto* values : {&e.exact, &e.mapped})
     for (const double v : *values) lo = std::min(lo, v), hi = std::max(hi, v);
@@ -251,7 +249,7 @@ void drawExtinction(Editor& editor, ChartSpace& space) {
   for (const double v : e.mapped) mapped = std::max(mapped, v);
   hi = std::min(hi, std::max(1.6 * mapped, 4 * sorted[sorted.size() * 9 / 10]) + 1e-9);
   const double room = 0.06 * (hi - lo);
-  const Plot plot = plotIn(editor, space, 1.4f * space.unit, {0, 1}, {lo < 0 ? lo - room : 0, hi + room});
+  const Plot plot = plotIn(ui.theme, space, 1.4f * space.unit, {0, 1}, {lo < 0 ? lo - room : 0, hi + room});
   plotFrame(plot, AxisX::Labels, "", 5);
   plotArea(plot, e.u, e.exact, 0, faded(palette::kGhost, 0.28f));
   if (!e.mapped.empty()) {
@@ -269,17 +267,16 @@ void drawExtinction(Editor& editor, ChartSpace& space) {
     if (!e.mapped.empty()) text += fmt::format("\n{:.4g} by the series", interpolated(e.u, e.mapped, u));
     tooltip(theme, text);
   }
-  editor.trace.rect("scope/extinction", im(plot.lo), im(plot.hi));
+  ui.trace.rect("scope/extinction", im(plot.lo), im(plot.hi));
   space.y = plot.hi.y + theme.small->FontSize + theme.px(6) + theme.space(2);
 }
 
-void drawCoefficients(Editor& editor, ChartSpace& space) {
-  RayScope& scope = editor.scope;
-  const Theme& theme = editor.theme;
+void drawCoefficients(Ui& ui, RayScope& scope, ChartSpace& space) {
+  const Theme& theme = ui.theme;
   const view::RayProbe& p = *scope.probe;
   if (p.taps.taps.empty() || marched(p)) return;
   const std::vector<double>& c = p.taps.taps.front().coefficients;
-  heading(editor, space, fmt::format("Coefficients of texel {}, {}", p.taps.texel.x, p.taps.texel.y));
+  heading(ui.theme, space, fmt::format("Coefficients of texel {}, {}", p.taps.texel.x, p.taps.texel.y));
   if (!scope.mutedT.empty()) {
     const std::string text = "unmute all";
     const float w = textWidth(theme.small, text);
@@ -287,7 +284,7 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
     ImGui::SetCursorScreenPos(im(at));
     if (ImGui::InvisibleButton("unmute", {w, theme.small->FontSize}))
       std::fill(scope.muted.begin(), scope.muted.end(), 0);
-    editor.trace.item("scope/unmute");
+    ui.trace.item("scope/unmute");
     drawText(ImGui::GetWindowDrawList(), theme.small, at,
              ImGui::IsItemHovered() ? palette::kText : palette::kAccent, text, w + 1);
   }
@@ -295,7 +292,7 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
   for (const double v : c) lo = std::min(lo, v), hi = std::max(hi, v);
   const double room = 0.08 * (hi - lo);
   const auto n = static_cast<double>(c.size());
-  const Plot plot = plotIn(editor, space, 1.1f * space.unit, {0, n}, {lo < 0 ? lo - room : 0, hi + room});
+  const Plot plot = plotIn(ui.theme, space, 1.1f * space.unit, {0, n}, {lo < 0 ? lo - room : 0, hi + room});
   plotFrame(plot, AxisX::None, "", 5);
   const float zero = std::round(plot.py(0)), gap = n > 16 ? 1.0f : theme.px(2);
   plot.draw->AddLine({plot.lo.x, zero}, {plot.hi.x, zero}, palette::kLine);
@@ -307,7 +304,7 @@ void drawCoefficients(Editor& editor, ChartSpace& space) {
     if (ImGui::InvisibleButton("bar", {x1 - x0 + 2 * gap, plot.hi.y - plot.lo.y}))
       scope.muted[k] = scope.muted[k] ? 0 : 1;
     ImGui::PopID();
-    editor.trace.item(fmt::format("scope/coefficient/{}", k));
+    ui.trace.item(fmt::format("scope/coefficient/{}", k));
     const bool hovered = ImGui::IsItemHovered();
     const vec2 from(x0, std::min(y, zero)), to(x1, std::max(std::max(y, zero), std::min(y, zero) + 1.5f));
     if (scope.muted[k])

@@ -5,6 +5,10 @@
 
 namespace pileus::editor {
 
+struct RayScope;
+struct Theme;
+struct Ui;
+
 /// Rows that share the panel's height, design pixels at 1; a chart takes its place from the top.
 struct ChartSpace {
   float left = 0, right = 0;  ///< pixels of the panel's inner edges
@@ -12,11 +16,12 @@ struct ChartSpace {
   float unit = 1;             ///< pixels of one share of the height that is left to charts
 };
 
-void drawTransmittance(Editor& editor, ChartSpace& space);  ///< with the volumes' bars and g below it
-void drawExtinction(Editor& editor, ChartSpace& space);
+void drawTransmittance(Ui& ui, const RayScope& scope,
+                       ChartSpace& space);  ///< with the volumes' bars and g below it
+void drawExtinction(Ui& ui, const RayScope& scope, ChartSpace& space);
 /// Coefficients to mute, or a deep map's vertices in words.
-void drawCoefficients(Editor& editor, ChartSpace& space);
+void drawCoefficients(Ui& ui, RayScope& scope, ChartSpace& space);
 /// Pixels that all of it takes besides the shared height.
-float chartOverhead(const Editor& editor);
+float chartOverhead(const Theme& theme, const RayScope& scope);
 
 }  // namespace pileus::editor

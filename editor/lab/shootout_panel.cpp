@@ -7,10 +7,16 @@
 #include <functional>
 #include <numeric>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/lab/lab.h"
+#include "editor/lab/lab_room.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/run_row.h"
 #include "editor/toolkit/segments.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport_bar.h"
 #include "renderer/truth/compare.h"
 
@@ -101,18 +107,19 @@ ImTextureID textureId(unsigned texture) {
 }
 
 /// The picture through the viewport's display transform; small, so it is drawn anew each frame it is seen.
-unsigned shown(Editor& editor, std::size_t entry, ivec2 size, int offset) {
-  const gl::Texture& picture = editor.lab.shootout.pictures[entry].picture;
-  if (!picture || !editor.viewport.colors) return 0;
-  const auto texture = editor.viewport.display.draw(picture, ivec2(picture.size()), size,
-                                                    *editor.viewport.colors, displaySettings(editor),
-                                                    kFirstSlot + 2 * static_cast<int>(entry) + offset);
+unsigned shown(const Session& session, const Clock& clock, Shown& shown, const Lab& lab, std::size_t entry,
+               ivec2 size, int offset) {
+  const gl::Texture& picture = lab.shootout.pictures[entry].picture;
+  if (!picture || !shown.displayed.colors) return 0;
+  const auto texture = shown.displayed.display.draw(
+      picture, ivec2(picture.size()), size, *shown.displayed.colors, displaySettings(session, clock, shown),
+      kFirstSlot + 2 * static_cast<int>(entry) + offset);
   return texture ? *texture : 0;
 }
 
-void drawLarge(Editor& editor, const view::ShootoutEntry& e, std::size_t index) {
-  const Theme& theme = editor.theme;
-  const ShootoutPanel::Pictures& p = editor.lab.shootout.pictures[index];
+void drawLarge(const LabRoom& room, const view::ShootoutEntry& e, std::size_t index) {
+  const Theme& theme = room.ui.theme;
+  const ShootoutPanel::Pictures& p = room.lab.shootout.pictures[index];
   if (!p.picture) return;
   const ivec2 size = ivec2(p.picture.size());
   const ImVec2 box(static_cast<float>(size.x), static_cast<float>(size.y));
@@ -120,7 +127,8 @@ void drawLarge(Editor& editor, const view::ShootoutEntry& e, std::size_t index) 
   ImGui::PushFont(theme.strong);
   ImGui::TextUnformatted(e.name.c_str());
   ImGui::PopFont();
-  if (const unsigned t = shown(editor, index, size, 1)) ImGui::Image(textureId(t), box);
+  if (const unsigned t = shown(room.session, room.clock, room.shown, room.lab, index, size, 1))
+    ImGui::Image(textureId(t), box);
   if (e.group != view::ShootoutGroup::Truth) {
     ImGui::SameLine();
     ImGui::Image(textureId(p.error.id()), box);
@@ -158,18 +166,18 @@ std::vector<std::size_t> orderOf(const ShootoutPanel& panel) {
   return order;
 }
 
-void drawCells(Editor& editor, const view::ShootoutEntry& e, std::size_t index, float height,
+void drawCells(const LabRoom& room, const view::ShootoutEntry& e, std::size_t index, float height,
                const std::vector<double>& best) {
-  const Theme& theme = editor.theme;
+  const Theme& theme = room.ui.theme;
   const bool truth = e.group == view::ShootoutGroup::Truth;
   ImGui::TableNextColumn();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float aspect =
-      editor.lab.shootout.pictures[index].picture
+      room.lab.shootout.pictures[index].picture
           ? static_cast<float>(e.picture.size.x) / static_cast<float>(std::max(e.picture.size.y, 1))
           : 1.78f;
   const vec2 thumb(std::min(height * aspect, theme.px(58)), height);
-  if (const unsigned t = shown(editor, index, ivec2(thumb), 0))
+  if (const unsigned t = shown(room.session, room.clock, room.shown, room.lab, index, ivec2(thumb), 0))
     ImGui::GetWindowDrawList()->AddImage(textureId(t), at, {at.x + thumb.x, at.y + thumb.y});
   ImGui::Dummy(im(thumb));
   const float down = 0.5f * (height - theme.body->FontSize);
@@ -183,16 +191,16 @@ void drawCells(Editor& editor, const view::ShootoutEntry& e, std::size_t index, 
     const double value = kColumns[c].value(e);
     if (truth) continue;
     const std::string text = kColumns[c].text(value);
-    const float w = textWidth(theme.body, text), room = ImGui::GetContentRegionAvail().x;
+    const float w = textWidth(theme.body, text), space = ImGui::GetContentRegionAvail().x;
     const ImVec2 cell = ImGui::GetCursorScreenPos();
-    drawText(ImGui::GetWindowDrawList(), theme.body, {cell.x + room - w, cell.y + down},
+    drawText(ImGui::GetWindowDrawList(), theme.body, {cell.x + space - w, cell.y + down},
              !truth && value <= best[c] ? palette::kGood : palette::kText, text, w + 1);
   }
 }
 
-void drawTable(Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  ShootoutPanel& panel = editor.lab.shootout;
+void drawTable(const LabRoom& room, vec2 lo, vec2 hi) {
+  const Theme& theme = room.ui.theme;
+  ShootoutPanel& panel = room.lab.shootout;
   ImGui::SetCursorScreenPos(im(lo));
   const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                 ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_BordersInnerH |
@@ -217,12 +225,12 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
     // Over figures names stand at the right, as they do.
     const std::string name = kColumns[static_cast<std::size_t>(c)].name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x - (c == panel.column ? theme.px(18) : 0),
+    const float space = ImGui::GetContentRegionAvail().x - (c == panel.column ? theme.px(18) : 0),
                 w = textWidth(theme.small, name);
     ImGui::TableHeader("##header");
-    editor.trace.item(fmt::format("shootout/column/{}", c));
+    room.ui.trace.item(fmt::format("shootout/column/{}", c));
     drawText(ImGui::GetWindowDrawList(), theme.small,
-             {c > kNameColumn ? at.x + std::max(room - w, 0.0f) : at.x,
+             {c > kNameColumn ? at.x + std::max(space - w, 0.0f) : at.x,
               at.y + 0.5f * (theme.body->FontSize - theme.small->FontSize)},
              c == panel.column ? palette::kText : palette::kTextDim, name, w + 1);
     ImGui::PopID();
@@ -245,29 +253,29 @@ void drawTable(Editor& editor, vec2 lo, vec2 hi) {
   for (const std::size_t i : order) {
     ImGui::TableNextRow(0, height);
     const float top = ImGui::GetCursorScreenPos().y;
-    drawCells(editor, entries[i], i, height, best);
+    drawCells(room, entries[i], i, height, best);
     names += entries[i].name + "\n";
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (ImGui::IsWindowHovered() && mouse.y >= top && mouse.y < top + height + theme.px(6) &&
         mouse.x > lo.x && mouse.x < lo.x + theme.px(330))
-      drawLarge(editor, entries[i], i);
-    editor.trace.rect(fmt::format("shootout/row/{}", entries[i].name), {lo.x, top}, {hi.x, top + height});
+      drawLarge(room, entries[i], i);
+    room.ui.trace.rect(fmt::format("shootout/row/{}", entries[i].name), {lo.x, top}, {hi.x, top + height});
   }
-  editor.trace.note("shootout rows", names);
+  room.ui.trace.note("shootout rows", names);
   ImGui::EndTable();
 }
 
-bool ready(const Editor& editor) {
-  const auto& picture = editor.preview.picture();
-  return picture && picture->scene && !editor.preview.draft();
+bool ready(const Shown& shown) {
+  const auto& picture = shown.preview.picture();
+  return picture && picture->scene && !shown.preview.draft();
 }
 
 }  // namespace
 
-void startShootout(Editor& editor) {
-  if (!ready(editor)) return;
-  ShootoutPanel& panel = editor.lab.shootout;
-  panel.scene = editor.preview.picture()->scene;
+void startShootout(const Shown& shown, Lab& lab) {
+  if (!ready(shown)) return;
+  ShootoutPanel& panel = lab.shootout;
+  panel.scene = shown.preview.picture()->scene;
   panel.error.clear();
   panel.pictures.clear();
   panel.fraction = 0;
@@ -275,42 +283,43 @@ void startShootout(Editor& editor) {
   const vec2 size(panel.scene->options.size);
   options.size = glm::max(ivec2(glm::round(size * (320 / size.x))), ivec2(8));
   options.points.count = 8000;
-  if (editor.renderer->device().software) options.resolution = 256;
+  if (shown.renderer.device().software) options.resolution = 256;
   panel.run = std::make_unique<view::Shootout>(*panel.scene, options);
   panel.running = true;
 }
 
-void stopShootout(Editor& editor) { editor.lab.shootout.running = false; }
+void stopShootout(Lab& lab) { lab.shootout.running = false; }
 
-void stepShootout(Editor& editor, double ms) {
-  ShootoutPanel& panel = editor.lab.shootout;
-  const Result<double> done = panel.run->step(editor.renderer->gpu(), ms);
+void stepShootout(Ui& ui, const Shown& shown, Lab& lab, double ms) {
+  ShootoutPanel& panel = lab.shootout;
+  const Result<double> done = panel.run->step(shown.renderer.gpu(), ms);
   if (!done) {
     panel.running = false;
     panel.error = done.error().message;
-    editor.messages.error("Shoot-out: " + panel.error);
+    ui.messages.error("Shoot-out: " + panel.error);
     return;
   }
   panel.fraction = *done;
   takePictures(panel);
   if (*done >= 1) {
     panel.running = false;
-    editor.messages.info(fmt::format("Shoot-out complete: {} points in the media.", panel.run->pointCount()));
+    ui.messages.info(fmt::format("Shoot-out complete: {} points in the media.", panel.run->pointCount()));
   }
 }
 
-void drawShootout(Editor& editor, float right, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  ShootoutPanel& panel = editor.lab.shootout;
+void drawShootout(const LabRoom& room, float right, vec2 lo, vec2 hi) {
+  const Theme& theme = room.ui.theme;
+  ShootoutPanel& panel = room.lab.shootout;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  segments(editor, "shootout/show", panel.show);
+  segments(room.ui, "shootout/show", panel.show);
   ImGui::SameLine(0, theme.space(4));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const RunClick click = runRow(editor, "shootout", "Run", panel.running, ready(editor), panel.fraction,
-                                panel.run ? panel.run->doing() : "", right - at.x - theme.space(2));
-  if (click == RunClick::Start) startShootout(editor);
-  if (click == RunClick::Stop) stopShootout(editor);
-  const auto& picture = editor.preview.picture();
+  const RunClick click =
+      runRow(room.ui, "shootout", "Run", panel.running, ready(room.shown), !room.shown.preview.settled(),
+             panel.fraction, panel.run ? panel.run->doing() : "", right - at.x - theme.space(2));
+  if (click == RunClick::Start) startShootout(room.shown, room.lab);
+  if (click == RunClick::Stop) stopShootout(room.lab);
+  const auto& picture = room.shown.preview.picture();
   std::string note = panel.error;
   if (note.empty() && panel.run && !panel.running && picture && picture->scene != panel.scene)
     note = "Measured on an earlier state of the scene.";
@@ -320,14 +329,14 @@ void drawShootout(Editor& editor, float right, vec2 lo, vec2 hi) {
               at.y + 0.5f * (ImGui::GetFrameHeight() - theme.small->FontSize)},
              panel.error.empty() ? palette::kTextDim : palette::kError, note,
              std::max(right - at.x - theme.px(100), 1.0f));
-  editor.trace.note("shootout note", note);
+  room.ui.trace.note("shootout note", note);
   if (!panel.run)
     drawText(draw, theme.body, {lo.x + theme.space(3), lo.y + theme.space(2)}, palette::kTextDim,
              "Builds every shadow representation for this picture's lights, and measures error against exact "
              "transmittance, time and memory.",
              hi.x - lo.x - theme.space(6));
   if (panel.run && !panel.pictures.empty())
-    drawTable(editor, {lo.x + theme.space(2), lo.y}, hi - vec2(theme.space(2), theme.space(1)));
+    drawTable(room, {lo.x + theme.space(2), lo.y}, hi - vec2(theme.space(2), theme.space(1)));
 }
 
 }  // namespace pileus::editor

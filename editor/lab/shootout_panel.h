@@ -10,7 +10,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Lab;
+struct LabRoom;
+struct Shown;
+struct Ui;
 
 enum class ShootoutShow { Defaults, EqualMemory };
 constexpr auto enumInfo(ShootoutShow*) {
@@ -38,10 +41,10 @@ struct ShootoutPanel {
   std::vector<Pictures> pictures;  ///< by entry
 };
 
-void startShootout(Editor& editor);
-void stopShootout(Editor& editor);
-void stepShootout(Editor& editor, double ms);
+void startShootout(const Shown& shown, Lab& lab);
+void stopShootout(Lab& lab);
+void stepShootout(Ui& ui, const Shown& shown, Lab& lab, double ms);
 /// Controls from the cursor on, up to `right`; the table in the rectangle.
-void drawShootout(Editor& editor, float right, vec2 lo, vec2 hi);
+void drawShootout(const LabRoom& room, float right, vec2 lo, vec2 hi);
 
 }  // namespace pileus::editor

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/lab/lab.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/plot.h"
 #include "editor/toolkit/run_row.h"
 #include "editor/toolkit/segments.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -19,10 +23,10 @@ namespace {
 using view::TuneBound;
 using view::TuneCandidate;
 
-std::vector<nodes::ShadowGroup> groupsOf(const Editor& editor) {
-  const auto& picture = editor.preview.picture();
-  if (!picture || !picture->scene || editor.preview.draft()) return {};
-  return nodes::shadowGroups(editor.document.root(), cameraUser(editor, shownView(editor)), 1,
+std::vector<nodes::ShadowGroup> groupsOf(const Session& session, const Shown& shown) {
+  const auto& picture = shown.preview.picture();
+  if (!picture || !picture->scene || shown.preview.draft()) return {};
+  return nodes::shadowGroups(session.document.root(), cameraUser(session, shownView(session, shown)), 1,
                              *picture->scene);
 }
 
@@ -44,9 +48,9 @@ std::optional<TuneCandidate> candidate(const TunePanel& panel) {
   return best ? best : panel.run->nearest();
 }
 
-void chooseGoal(Editor& editor, float width) {
-  const Theme& theme = editor.theme;
-  TunePanel& panel = editor.lab.tune;
+void chooseGoal(Ui& ui, Lab& lab, float width) {
+  const Theme& theme = ui.theme;
+  TunePanel& panel = lab.tune;
   constexpr const char* kNames[] = {"95 % of |\xce\x94T| below", "Time below", "Memory below"};
   constexpr const char* kUnits[] = {"", "ms", "MiB"};
   const auto at = static_cast<std::size_t>(panel.goal.bound);
@@ -55,12 +59,12 @@ void chooseGoal(Editor& editor, float width) {
     for (const auto& item : enumInfo(static_cast<TuneBound*>(nullptr))) {
       if (ImGui::Selectable(kNames[static_cast<std::size_t>(item.value)], item.value == panel.goal.bound))
         panel.goal.bound = item.value;
-      editor.trace.item("tune/bound/" + std::string(item.id));
+      ui.trace.item("tune/bound/" + std::string(item.id));
       if (ImGui::IsItemHovered()) tooltip(theme, item.help);
     }
     ImGui::EndCombo();
   }
-  editor.trace.item("tune/bound");
+  ui.trace.item("tune/bound");
   ImGui::SameLine();
   NumberField field;
   field.softMin = panel.goal.bound == TuneBound::P95 ? 0.001 : 0.1;
@@ -70,37 +74,37 @@ void chooseGoal(Editor& editor, float width) {
   field.hardMin = 1e-6, field.hardMax = 1e6;
   field.logarithmic = true;
   field.unit = kUnits[at];
-  numberField(editor.parameters.numbers, theme, "##limit", panel.limits[at], field,
-              width * 0.42f - theme.space(2));
-  editor.trace.item("tune/limit");
+  numberField(ui.fields.number, theme, "##limit", panel.limits[at], field, width * 0.42f - theme.space(2));
+  ui.trace.item("tune/limit");
   ImGui::EndDisabled();
   panel.goal.limit = panel.limits[static_cast<std::size_t>(panel.goal.bound)];
 }
 
-void chooseGroup(Editor& editor, const std::vector<nodes::ShadowGroup>& groups, float width) {
-  TunePanel& panel = editor.lab.tune;
+void chooseGroup(Ui& ui, Lab& lab, const std::vector<nodes::ShadowGroup>& groups, float width) {
+  TunePanel& panel = lab.tune;
   if (groups.size() < 2) {
     panel.group = 0;
     return;
   }
   panel.group = std::min(panel.group, groups.size() - 1);
-  if (beginCombo(editor.theme, "##group", groupName(groups[panel.group]), width)) {
+  if (beginCombo(ui.theme, "##group", groupName(groups[panel.group]), width)) {
     for (std::size_t i = 0; i < groups.size(); ++i)
       if (ImGui::Selectable(groupName(groups[i]).c_str(), i == panel.group)) panel.group = i;
     ImGui::EndCombo();
   }
-  editor.trace.item("tune/group");
+  ui.trace.item("tune/group");
 }
 
-void writeChoice(Editor& editor, const TuneCandidate& c) {
-  const TunePanel& panel = editor.lab.tune;
-  if (tryEditRoot(editor, nodes::writeGroup(editor.document.root(), panel.tuned, c.spec), "Tune shadows"))
-    editor.messages.note("Written into " + groupName(panel.tuned) + ": " + shadow::describe(c.spec));
+void writeChoice(Ui& ui, Session& session, const Lab& lab, const TuneCandidate& c) {
+  const TunePanel& panel = lab.tune;
+  if (tryEditRoot(session, ui.messages, nodes::writeGroup(session.document.root(), panel.tuned, c.spec),
+                  "Tune shadows"))
+    ui.messages.note("Written into " + groupName(panel.tuned) + ": " + shadow::describe(c.spec));
 }
 
-void drawCandidate(Editor& editor, vec2 at, float width) {
-  const Theme& theme = editor.theme;
-  TunePanel& panel = editor.lab.tune;
+void drawCandidate(Ui& ui, Session& session, Lab& lab, vec2 at, float width) {
+  const Theme& theme = ui.theme;
+  TunePanel& panel = lab.tune;
   const auto c = candidate(panel);
   if (!c) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -120,18 +124,18 @@ void drawCandidate(Editor& editor, vec2 at, float width) {
                                           c->mean, mebibytes(*c), c->ms());
   drawText(draw, theme.small, at, palette::kTextDim, figures, width);
   at.y += theme.small->FontSize + theme.space(2);
-  editor.trace.note("tune head", head);
-  editor.trace.note("tune what", what);
-  editor.trace.note("tune figures", figures);
+  ui.trace.note("tune head", head);
+  ui.trace.note("tune what", what);
+  ui.trace.note("tune figures", figures);
   ImGui::SetCursorScreenPos(im(at));
-  if (ImGui::Button("Write into nodes", {theme.px(150), 0})) writeChoice(editor, *c);
-  editor.trace.item("tune/write");
+  if (ImGui::Button("Write into nodes", {theme.px(150), 0})) writeChoice(ui, session, lab, *c);
+  ui.trace.item("tune/write");
   if (ImGui::IsItemHovered())
     tooltip(theme, "Sets these parameters in " + groupName(panel.tuned) + ", as one undo step");
   if (panel.chosen) {
     ImGui::SameLine();
     if (ImGui::Button("Back to best")) panel.chosen.reset();
-    editor.trace.item("tune/best");
+    ui.trace.item("tune/best");
   }
 }
 
@@ -143,9 +147,8 @@ std::string dotText(const TuneCandidate& c) {
 }
 
 /// Ranges that hold all that was measured and the bound.
-Plot plotOf(Editor& editor, vec2 lo, vec2 hi, const std::vector<TuneCandidate>& all) {
-  const Theme& theme = editor.theme;
-  const view::TuneGoal& goal = editor.lab.tune.goal;
+Plot plotOf(const Theme& theme, const Lab& lab, vec2 lo, vec2 hi, const std::vector<TuneCandidate>& all) {
+  const view::TuneGoal& goal = lab.tune.goal;
   Plot plot;
   plot.draw = ImGui::GetWindowDrawList();
   plot.theme = &theme;
@@ -162,12 +165,12 @@ Plot plotOf(Editor& editor, vec2 lo, vec2 hi, const std::vector<TuneCandidate>& 
   return plot;
 }
 
-void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  TunePanel& panel = editor.lab.tune;
+void drawCurve(Ui& ui, Lab& lab, vec2 lo, vec2 hi) {
+  const Theme& theme = ui.theme;
+  TunePanel& panel = lab.tune;
   const std::vector<TuneCandidate>& all = panel.run->measured();
   if (all.empty() || hi.x - lo.x < theme.px(200) || hi.y - lo.y < theme.px(90)) return;
-  const Plot plot = plotOf(editor, lo, hi, all);
+  const Plot plot = plotOf(ui.theme, lab, lo, hi, all);
   drawText(plot.draw, theme.small, {lo.x + theme.px(4), lo.y}, palette::kTextDim,
            "95 % of |\xce\x94T| over memory, log axes: every dot was built and measured", hi.x - lo.x);
   plotFrame(plot, AxisX::Labels, "MiB");
@@ -197,7 +200,7 @@ void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
                          std::find(errors.begin(), errors.end(), std::max(c.p95, 1e-5)) != errors.end();
     plotDot(plot, mebibytes(c), std::max(c.p95, 1e-5), onCurve ? palette::kAccent : palette::kTextFaint,
             theme.px(onCurve ? 4 : 3));
-    editor.trace.rect(fmt::format("tune/dot/{}", i), im(at - theme.px(3)), im(at + theme.px(3)));
+    ui.trace.rect(fmt::format("tune/dot/{}", i), im(at - theme.px(3)), im(at + theme.px(3)));
     const float distance = glm::length(vec(mouse) - at);
     if (plot.hovered() && distance < nearest) nearest = distance, near = &c;
   }
@@ -212,74 +215,74 @@ void drawCurve(Editor& editor, vec2 lo, vec2 hi) {
     tooltip(theme, dotText(*near));
     if (ImGui::IsMouseClicked(0)) panel.chosen = near->spec;
   }
-  editor.trace.rect("tune/curve", im(plot.lo), im(plot.hi));
-  editor.trace.note("tune tried", std::to_string(all.size()));
+  ui.trace.rect("tune/curve", im(plot.lo), im(plot.hi));
+  ui.trace.note("tune tried", std::to_string(all.size()));
 }
 
 }  // namespace
 
-void startTune(Editor& editor) {
-  TunePanel& panel = editor.lab.tune;
-  const std::vector<nodes::ShadowGroup> groups = groupsOf(editor);
+void startTune(const Session& session, const Shown& shown, Lab& lab) {
+  TunePanel& panel = lab.tune;
+  const std::vector<nodes::ShadowGroup> groups = groupsOf(session, shown);
   if (groups.empty()) return;
-  panel.scene = editor.preview.picture()->scene;
+  panel.scene = shown.preview.picture()->scene;
   panel.tuned = groups[std::min(panel.group, groups.size() - 1)];
   panel.error.clear();
   panel.chosen.reset();
   panel.fraction = 0;
   view::TuneOptions options;
   options.points.count = 6000;
-  if (editor.renderer->device().software) options.maxResolution = 1024;
+  if (shown.renderer.device().software) options.maxResolution = 1024;
   panel.run =
       std::make_unique<view::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal, options);
   panel.running = true;
 }
 
-void stopTune(Editor& editor) { editor.lab.tune.running = false; }
+void stopTune(Lab& lab) { lab.tune.running = false; }
 
-void stepTune(Editor& editor, double ms) {
-  TunePanel& panel = editor.lab.tune;
-  const Result<double> done = panel.run->step(editor.renderer->gpu(), ms);
+void stepTune(Ui& ui, const Shown& shown, Lab& lab, double ms) {
+  TunePanel& panel = lab.tune;
+  const Result<double> done = panel.run->step(shown.renderer.gpu(), ms);
   if (!done) {
     panel.running = false;
     panel.error = done.error().message;
-    editor.messages.error("Tune: " + panel.error);
+    ui.messages.error("Tune: " + panel.error);
     return;
   }
   panel.fraction = *done;
   if (*done >= 1) panel.running = false;
 }
 
-void drawTune(Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  TunePanel& panel = editor.lab.tune;
-  const std::vector<nodes::ShadowGroup> groups = groupsOf(editor);
+void drawTune(Ui& ui, Session& session, const Shown& shown, Lab& lab, vec2 lo, vec2 hi) {
+  const Theme& theme = ui.theme;
+  TunePanel& panel = lab.tune;
+  const std::vector<nodes::ShadowGroup> groups = groupsOf(session, shown);
   const float left = std::min(theme.px(360), 0.45f * (hi.x - lo.x)), width = left - theme.space(4);
   ImGui::SetCursorScreenPos({lo.x + theme.space(2), lo.y});
   ImGui::BeginGroup();
-  chooseGroup(editor, groups, width);
-  chooseGoal(editor, width);
-  const RunClick click = runRow(editor, "tune", "Tune", panel.running, !groups.empty(), panel.fraction,
-                                panel.run ? panel.run->doing() : "", width);
+  chooseGroup(ui, lab, groups, width);
+  chooseGoal(ui, lab, width);
+  const RunClick click = runRow(ui, "tune", "Tune", panel.running, !groups.empty(), !shown.preview.settled(),
+                                panel.fraction, panel.run ? panel.run->doing() : "", width);
   ImGui::EndGroup();
   const float below = ImGui::GetItemRectMax().y + theme.space(3);
-  if (click == RunClick::Start) startTune(editor);
-  if (click == RunClick::Stop) stopTune(editor);
+  if (click == RunClick::Start) startTune(session, shown, lab);
+  if (click == RunClick::Stop) stopTune(lab);
   std::string note = panel.error;
   if (note.empty() && !panel.run)
     note = groups.empty()
-               ? (editor.preview.settled() ? "No light of this picture has a shadow map that could be tuned."
-                                           : "Waits for the picture.")
+               ? (shown.preview.settled() ? "No light of this picture has a shadow map that could be tuned."
+                                          : "Waits for the picture.")
                : "Searches the parameters of " + groupName(groups[std::min(panel.group, groups.size() - 1)]) +
                      " that keep the bound most cheaply.";
   if (!note.empty())
     ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize, {lo.x + theme.space(2), below},
                                         panel.error.empty() ? palette::kTextDim : palette::kError,
                                         note.c_str(), nullptr, width);
-  editor.trace.note("tune note", note);
+  ui.trace.note("tune note", note);
   if (!panel.run) return;
-  if (panel.error.empty()) drawCandidate(editor, {lo.x + theme.space(2), below}, width);
-  drawCurve(editor, {lo.x + left, lo.y - theme.px(4)}, hi - vec2(theme.space(2), theme.space(1)));
+  if (panel.error.empty()) drawCandidate(ui, session, lab, {lo.x + theme.space(2), below}, width);
+  drawCurve(ui, lab, {lo.x + left, lo.y - theme.px(4)}, hi - vec2(theme.space(2), theme.space(1)));
 }
 
 }  // namespace pileus::editor

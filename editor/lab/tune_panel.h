@@ -10,7 +10,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Lab;
+struct Session;
+struct Shown;
+struct Ui;
 
 struct TunePanel {
   view::TuneGoal goal;
@@ -25,9 +28,9 @@ struct TunePanel {
   std::optional<shadow::ShadowSpec> chosen;        ///< a dot that was clicked; none: the best
 };
 
-void startTune(Editor& editor);
-void stopTune(Editor& editor);
-void stepTune(Editor& editor, double ms);
-void drawTune(Editor& editor, vec2 lo, vec2 hi);
+void startTune(const Session& session, const Shown& shown, Lab& lab);
+void stopTune(Lab& lab);
+void stepTune(Ui& ui, const Shown& shown, Lab& lab, double ms);
+void drawTune(Ui& ui, Session& session, const Shown& shown, Lab& lab, vec2 lo, vec2 hi);
 
 }  // namespace pileus::editor

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
-#include "editor/picture/display_color.h"
+#include "editor/parameters/display_color.h"
+#include "editor/parameters/parameters.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "renderer/scene/light.h"
 
@@ -25,9 +27,9 @@ dvec3 tidy(const dvec3& c, double lo, double hi) {
 }
 
 /// The vertices' colours: centre, then rings outwards. Made again when the display transform changes.
-void updateWheel(Editor& editor) {
-  ColorPicker& picker = editor.parameters.picker;
-  if (!picker.wheel.empty() && picker.wheelRevision == editor.parameters.colors.revision) return;
+void updateWheel(Shown& shown, Parameters& parameters) {
+  ColorPicker& picker = parameters.picker;
+  if (!picker.wheel.empty() && picker.wheelRevision == parameters.colors.revision) return;
   std::vector<vec4> colors;
   for (int ring = 0; ring <= kRings; ++ring)
     for (int spoke = 0; spoke < kSpokes; ++spoke) {
@@ -35,13 +37,13 @@ void updateWheel(Editor& editor) {
       const Hsv hsv{static_cast<double>(spoke) / kSpokes, s * s, 1};
       colors.emplace_back(vec3(rgbOf(hsv) * 0.8), 1.0f);
     }
-  toDisplay(editor, colors);
+  toDisplay(shown, colors);
   picker.wheel.clear();
   for (const vec4& c : colors) {
     const vec4 v = glm::clamp(c, vec4(0), vec4(1));
     picker.wheel.push_back(ImGui::ColorConvertFloat4ToU32({v.x, v.y, v.z, 1}));
   }
-  picker.wheelRevision = editor.parameters.colors.revision;
+  picker.wheelRevision = parameters.colors.revision;
 }
 
 ImVec2 onWheel(ImVec2 center, float radius, double hue, double saturation) {
@@ -71,15 +73,15 @@ void paintWheel(const ColorPicker& picker, ImVec2 center, float radius) {
 }
 
 /// Dragging in the wheel chooses hue and saturation; Shift is a tenth of the way.
-bool drawWheel(Editor& editor, Hsv& hsv, ColorEdit& edit) {
-  const Theme& theme = editor.theme;
+bool drawWheel(Ui& ui, const Parameters& parameters, Hsv& hsv, ColorEdit& edit) {
+  const Theme& theme = ui.theme;
   const float radius = theme.px(86);
   const ImVec2 at = ImGui::GetCursorScreenPos(), center = {at.x + radius, at.y + radius};
   ImGui::InvisibleButton("wheel", {2 * radius, 2 * radius});
-  editor.trace.item("picker/wheel");
+  ui.trace.item("picker/wheel");
   const bool active = ImGui::IsItemActive();
   edit.finished |= ImGui::IsItemDeactivated();
-  paintWheel(editor.parameters.picker, center, radius - theme.px(2));
+  paintWheel(parameters.picker, center, radius - theme.px(2));
   const ImVec2 mark = onWheel(center, radius - theme.px(2), hsv.hue, hsv.saturation);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddCircle(mark, theme.px(6), palette::kHandleEdge, 0, theme.px(4));
@@ -104,23 +106,21 @@ struct Line {
 };
 
 /// One labelled number; true if it changed.
-bool drawLine(Editor& editor, Line& line, ColorEdit& edit, std::optional<double>* kelvin = nullptr) {
-  const Theme& theme = editor.theme;
+bool drawLine(Ui& ui, Line& line, ColorEdit& edit, std::optional<double>* kelvin = nullptr) {
+  const Theme& theme = ui.theme;
   const float label = theme.px(86);
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
   ImGui::TextUnformatted(line.label);
   ImGui::PopStyleColor();
   ImGui::SameLine(label, 0);
-  const NumberEdit n =
-      numberField(editor.parameters.numbers, theme, line.id, line.value, line.field, theme.px(120));
-  editor.trace.item(std::string("picker/") + line.id);
+  const NumberEdit n = numberField(ui.fields.number, theme, line.id, line.value, line.field, theme.px(120));
+  ui.trace.item(std::string("picker/") + line.id);
   edit.dragging |= n.dragging;
   edit.finished |= n.finished;
   edit.cancelled |= n.cancelled;
   if (kelvin) *kelvin = n.kelvin;
-  if (n.refused || editor.parameters.numbers.wasRefused)
-    editor.trace.note("picker refusal", editor.parameters.numbers.refusal);
+  if (n.refused || ui.fields.number.wasRefused) ui.trace.note("picker refusal", ui.fields.number.refusal);
   return n.changed;
 }
 
@@ -132,8 +132,9 @@ NumberField intensityField(double lo, double hi, double most) {
   return f;
 }
 
-bool drawLines(Editor& editor, dvec3& color, Hsv& hsv, double lo, double hi, ColorEdit& edit) {
-  ColorPicker& picker = editor.parameters.picker;
+bool drawLines(Ui& ui, Parameters& parameters, dvec3& color, Hsv& hsv, double lo, double hi,
+               ColorEdit& edit) {
+  ColorPicker& picker = parameters.picker;
   const ImU32 marks[3] = {palette::kAxisX, palette::kAxisY, palette::kAxisZ};
   const char *ids[3] = {"r", "g", "b"}, *labels[3] = {"Red", "Green", "Blue"};
   bool changed = false;
@@ -142,13 +143,13 @@ bool drawLines(Editor& editor, dvec3& color, Hsv& hsv, double lo, double hi, Col
     Line line{ids[i], labels[i], color[i], intensityField(lo, hi, std::ceil(hsv.value))};
     line.field.mark = marks[i];
     std::optional<double> typed;
-    if (drawLine(editor, line, edit, &typed)) color[i] = line.value, changed = true;
+    if (drawLine(ui, line, edit, &typed)) color[i] = line.value, changed = true;
     if (typed) kelvin = typed;
   }
   Line intensity{"intensity", "Intensity", hsv.value, intensityField(0, hi, 1)};
   intensity.field.logarithmic = true;
   intensity.field.softMax = std::max(10.0, hsv.value);
-  if (drawLine(editor, intensity, edit)) {
+  if (drawLine(ui, intensity, edit)) {
     hsv.value = intensity.value;
     color = tidy(rgbOf(hsv), lo, hi);
     changed = true;
@@ -158,7 +159,7 @@ bool drawLines(Editor& editor, dvec3& color, Hsv& hsv, double lo, double hi, Col
   temperature.field.softMin = 1700, temperature.field.softMax = 15000;
   temperature.field.logarithmic = true;
   temperature.field.unit = "K";
-  if (drawLine(editor, temperature, edit)) kelvin = temperature.value;
+  if (drawLine(ui, temperature, edit)) kelvin = temperature.value;
   if (kelvin) {
     picker.kelvin = std::clamp(*kelvin, 1667.0, 25000.0);
     color = tidy(dvec3(scene::temperatureColor(picker.kelvin)), lo, hi);
@@ -167,16 +168,16 @@ bool drawLines(Editor& editor, dvec3& color, Hsv& hsv, double lo, double hi, Col
   return changed;
 }
 
-bool drawRecent(Editor& editor, dvec3& color) {
-  const Theme& theme = editor.theme;
-  const std::vector<dvec3> recent = editor.parameters.picker.recent;
+bool drawRecent(Ui& ui, Shown& shown, Parameters& parameters, dvec3& color) {
+  const Theme& theme = ui.theme;
+  const std::vector<dvec3> recent = parameters.picker.recent;
   bool chosen = false;
   for (std::size_t i = 0; i < recent.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, theme.px(4));
     ImGui::PushID(static_cast<int>(i));
-    if (colorSwatch(editor, "recent", recent[i], {theme.px(24), theme.px(20)}))
+    if (colorSwatch(ui.theme, shown, parameters, "recent", recent[i], {theme.px(24), theme.px(20)}))
       color = recent[i], chosen = true;
-    editor.trace.item("picker/recent/" + std::to_string(i));
+    ui.trace.item("picker/recent/" + std::to_string(i));
     ImGui::PopID();
   }
   return chosen;
@@ -184,31 +185,31 @@ bool drawRecent(Editor& editor, dvec3& color) {
 
 }  // namespace
 
-bool colorSwatch(Editor& editor, const char* id, const dvec3& color, ImVec2 size, bool mixed) {
+bool colorSwatch(const Theme& theme, Shown& shown, Parameters& parameters, const char* id, const dvec3& color,
+                 ImVec2 size, bool mixed) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), end = {at.x + size.x, at.y + size.y};
   const bool clicked = ImGui::InvisibleButton(id, size);
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float r = editor.theme.px(4);
-  draw->AddRectFilled(at, end, mixed ? palette::kField : displayColor(editor, color), r);
+  const float r = theme.px(4);
+  draw->AddRectFilled(at, end, mixed ? palette::kField : displayColor(shown, parameters, color), r);
   if (mixed) {
     const float y = std::round(0.5f * (at.y + end.y));
-    draw->AddLine({at.x + 0.35f * size.x, y}, {end.x - 0.35f * size.x, y}, palette::kText,
-                  editor.theme.px(1));
+    draw->AddLine({at.x + 0.35f * size.x, y}, {end.x - 0.35f * size.x, y}, palette::kText, theme.px(1));
   }
   draw->AddRect(at, end, ImGui::IsItemHovered() ? palette::kTextDim : palette::kLine, r);
   return clicked;
 }
 
-ColorEdit drawColorPicker(Editor& editor, dvec3& color, double lo, double hi) {
-  const Theme& theme = editor.theme;
-  ColorPicker& picker = editor.parameters.picker;
+ColorEdit drawColorPicker(Ui& ui, Shown& shown, Parameters& parameters, dvec3& color, double lo, double hi) {
+  const Theme& theme = ui.theme;
+  ColorPicker& picker = parameters.picker;
   ColorEdit edit;
-  updateWheel(editor);
+  updateWheel(shown, parameters);
   if (ImGui::IsWindowAppearing()) picker.before = color, picker.hsv = {};
   picker.open = true;
   Hsv hsv = hsvOf(color, picker.hsv);
   ImGui::BeginGroup();
-  if (drawWheel(editor, hsv, edit)) {
+  if (drawWheel(ui, parameters, hsv, edit)) {
     if (hsv.value <= 0) hsv.value = 1;
     color = tidy(rgbOf(hsv), lo, hi);
     edit.changed = true;
@@ -216,21 +217,21 @@ ColorEdit drawColorPicker(Editor& editor, dvec3& color, double lo, double hi) {
   ImGui::EndGroup();
   ImGui::SameLine(0, theme.space(3));
   ImGui::BeginGroup();
-  edit.changed |= drawLines(editor, color, hsv, lo, hi, edit);
+  edit.changed |= drawLines(ui, parameters, color, hsv, lo, hi, edit);
   ImGui::EndGroup();
   // What it was, what it is; then the way into the picture.
   const float half = theme.px(60), height = ImGui::GetFrameHeight();
-  if (colorSwatch(editor, "before", picker.before, {half, height}))
+  if (colorSwatch(ui.theme, shown, parameters, "before", picker.before, {half, height}))
     color = picker.before, edit.changed = edit.finished = true;
   if (ImGui::IsItemHovered()) tooltip(theme, "As it was; click to go back");
   ImGui::SameLine(0, theme.px(4));
-  colorSwatch(editor, "now", color, {half, height});
+  colorSwatch(ui.theme, shown, parameters, "now", color, {half, height});
   ImGui::SameLine(0, theme.space(3));
   edit.eyedropper = ImGui::Button((std::string(icon::kEyedropper) + "  Pick from picture").c_str());
-  editor.trace.item("picker/eyedropper");
+  ui.trace.item("picker/eyedropper");
   if (ImGui::IsItemHovered())
     tooltip(theme, "Then click in the viewport: its scene-linear value is taken. Esc: not after all.");
-  if (!picker.recent.empty() && drawRecent(editor, color)) edit.changed = edit.finished = true;
+  if (!picker.recent.empty() && drawRecent(ui, shown, parameters, color)) edit.changed = edit.finished = true;
   picker.hsv = hsvOf(color, hsv);
   return edit;
 }

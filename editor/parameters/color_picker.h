@@ -11,7 +11,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Parameters;
+struct Shown;
+struct Theme;
+struct Ui;
 
 struct ColorPicker {
   Hsv hsv;          ///< of the colour last shown: keeps the hue of greys
@@ -30,9 +33,10 @@ struct ColorEdit {
 };
 
 /// The swatch, `size` large; true if clicked.
-bool colorSwatch(Editor& editor, const char* id, const dvec3& color, ImVec2 size, bool mixed = false);
+bool colorSwatch(const Theme& theme, Shown& shown, Parameters& parameters, const char* id, const dvec3& color,
+                 ImVec2 size, bool mixed = false);
 /// Inside an open ImGui popup. Channels stay within `lo` .. `hi`.
-ColorEdit drawColorPicker(Editor& editor, dvec3& color, double lo, double hi);
+ColorEdit drawColorPicker(Ui& ui, Shown& shown, Parameters& parameters, dvec3& color, double lo, double hi);
 /// Once, when the popup has closed: the colour becomes a recent one.
 void closeColorPicker(ColorPicker& picker, const dvec3& color);
 

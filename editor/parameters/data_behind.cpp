@@ -6,29 +6,35 @@
 #include <cmath>
 #include <vector>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
 namespace {
 
 double numberOf(const ParamWidget& w, const std::string& id) {
-  const nodes::Node* node = nodes::findNode(w.editor.document.graph(), w.target.nodes.front());
+  const nodes::Node* node = nodes::findNode(w.room.session.document.graph(), w.target.nodes.front());
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::ParamSpec* spec = type ? type->param(id) : nullptr;
   if (!spec) return 0;
-  const std::string name = w.editor.document.scopedName(w.target.nodes.front());
-  const nodes::SocketValue* linked = w.editor.preview.evaluator().input(name, id);
+  const std::string name = w.room.session.document.scopedName(w.target.nodes.front());
+  const nodes::SocketValue* linked = w.room.shown.preview.evaluator().input(name, id);
   if (const double* v = linked ? std::get_if<double>(linked) : nullptr) return *v;
-  const nodes::ParamValue value = nodes::paramValue(*node, *spec, w.editor.frame);
+  const nodes::ParamValue value = nodes::paramValue(*node, *spec, w.room.clock.frame);
   const double* number = std::get_if<double>(&value);
   return number ? *number : 0;
 }
 
 const volume::InstanceList* inputOf(const ParamWidget& w) {
-  const nodes::SocketValue* value = w.editor.preview.evaluator().input(
-      w.editor.document.scopedName(w.target.nodes.front()), w.target.spec->data.input);
+  const nodes::SocketValue* value = w.room.shown.preview.evaluator().input(
+      w.room.session.document.scopedName(w.target.nodes.front()), w.target.spec->data.input);
   const auto* volumes = value ? std::get_if<nodes::VolumeValue>(value) : nullptr;
   return volumes ? &volumes->items : nullptr;
 }
@@ -43,7 +49,7 @@ DataBehind dataBehind(const ParamWidget& w) {
   const double highest = numberOf(w, range.highest);
   if (highest > 0) data.highest = highest;
   if (const volume::InstanceList* volumes = inputOf(w)) {
-    data.histogram = histogramOf(w.editor.parameters.densities, *volumes);
+    data.histogram = histogramOf(w.room.parameters.densities, *volumes);
     double most = 0;
     for (const volume::Instance& i : *volumes) most = std::max(most, volume::largestDensity(i));
     if (!data.highest && most > 0) data.highest = most;
@@ -73,16 +79,16 @@ void drawHistogram(const ParamWidget& w, const DataBehind& data, ImVec2 lo, ImVe
     const double count = counts[static_cast<std::size_t>(i)];
     if (!(count > 0)) continue;
     const auto height =
-        static_cast<float>(std::log1p(count) / std::log1p(most)) * (hi.y - lo.y - w.editor.theme.px(3));
+        static_cast<float>(std::log1p(count) / std::log1p(most)) * (hi.y - lo.y - w.room.ui.theme.px(3));
     const float x = lo.x + each * static_cast<float>(i);
     draw->AddRectFilled({x, hi.y - height}, {x + each, hi.y}, color);
     ++shown;
   }
-  w.editor.trace.note("histogram/" + w.target.spec->id, std::to_string(shown));
+  w.room.ui.trace.note("histogram/" + w.target.spec->id, std::to_string(shown));
 }
 
 void drawRange(const ParamWidget& w, const DataBehind& data, float width) {
-  const Theme& theme = w.editor.theme;
+  const Theme& theme = w.room.ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::string left = fmt::format("{:.4g}", data.lowest);
   const std::string right =
@@ -95,12 +101,12 @@ void drawRange(const ParamWidget& w, const DataBehind& data, float width) {
   if (0.5f * width > half + end)
     drawText(draw, theme.small, {at.x + 0.5f * width - half, at.y}, palette::kTextFaint, middle, width);
   ImGui::Dummy({width, theme.small->FontSize});
-  w.editor.trace.note("range/" + w.target.spec->id, left + " .. " + right);
+  w.room.ui.trace.note("range/" + w.target.spec->id, left + " .. " + right);
 }
 
 void followField(const ParamWidget& w, const NumberEdit& edit) {
-  if (edit.finished) endParamEdit(w.editor, w.target, edit.cancelled);
-  Parameters& panel = w.editor.parameters;
+  if (edit.finished) endParamEdit(w.room.ui, w.room.session, w.room.parameters, w.target, edit.cancelled);
+  Parameters& panel = w.room.parameters;
   if (edit.refused)
     panel.refusedKey = w.target.key(), panel.refusedAt = ImGui::GetTime();
   else if ((edit.changed || edit.finished) && panel.refusedKey == w.target.key())
@@ -113,13 +119,13 @@ std::optional<E> shapeField(const ParamWidget& w, E now, float width) {
   std::string_view shown;
   for (const auto& item : enumInfo(static_cast<E*>(nullptr)))
     if (item.value == now) shown = item.label;
-  const bool open = beginCombo(w.editor.theme, "##shape", shown, width);
-  if (!open) w.editor.trace.item("shape/" + w.target.spec->id);
+  const bool open = beginCombo(w.room.ui.theme, "##shape", shown, width);
+  if (!open) w.room.ui.trace.item("shape/" + w.target.spec->id);
   if (!open) return chosen;
   for (const auto& item : enumInfo(static_cast<E*>(nullptr))) {
     if (ImGui::Selectable(std::string(item.label).c_str(), item.value == now)) chosen = item.value;
-    w.editor.trace.item("choice/" + std::string(item.id));
-    if (ImGui::IsItemHovered()) tooltip(w.editor.theme, item.help);
+    w.room.ui.trace.item("choice/" + std::string(item.id));
+    if (ImGui::IsItemHovered()) tooltip(w.room.ui.theme, item.help);
   }
   ImGui::EndCombo();
   return chosen;

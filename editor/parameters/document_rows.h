@@ -3,8 +3,8 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct ParameterRoom;
 
-void drawDocumentRows(Editor& editor);
+void drawDocumentRows(const ParameterRoom& room);
 
 }  // namespace pileus::editor

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <utility>
 
-#include "editor/app/editor.h"
 #include "editor/parameters/color_picker.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -23,30 +26,30 @@ std::optional<dvec3> texelAt(const view::Picture& picture, vec2 uv) {
   return dvec3(rgba[0], rgba[1], rgba[2]);
 }
 
-void take(Editor& editor, const dvec3& seen) {
-  const ParamTarget target = *editor.parameters.eyedropper.target;
+void take(const ParameterRoom& room, const dvec3& seen) {
+  const ParamTarget target = *room.parameters.eyedropper.target;
   dvec3 color =
       glm::clamp(glm::max(seen, dvec3(0)), dvec3(target.spec->hardMin), dvec3(target.spec->hardMax));
   for (int i = 0; i < 3; ++i) color[i] = std::round(color[i] * 1e5) / 1e5;
-  const auto into = std::exchange(editor.parameters.eyedropper.into, {});
+  const auto into = std::exchange(room.parameters.eyedropper.into, {});
   changeParam(
-      editor, target,
+      room, target,
       [&](const nodes::ParamValue& own) -> nodes::ParamValue { return into ? into(own, color) : color; },
       false);
-  editor.parameters.eyedropper.target.reset();
+  room.parameters.eyedropper.target.reset();
 }
 
 }  // namespace
 
-void drawEyedropper(Editor& editor) {
-  Eyedropper& dropper = editor.parameters.eyedropper;
+void drawEyedropper(const ParameterRoom& room) {
+  Eyedropper& dropper = room.parameters.eyedropper;
   if (!dropper.target) return;
-  const auto& picture = editor.preview.picture();
+  const auto& picture = room.shown.preview.picture();
   if (!picture || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
     return dropper.target.reset();
-  editor.messages.hint("Click in the picture to take its colour.");
-  for (std::size_t i = 0; i < editor.viewport.shown.size() && dropper.target; ++i) {
-    const Viewport::Rect r = editor.viewport.shown[i];
+  room.ui.messages.hint("Click in the picture to take its colour.");
+  for (std::size_t i = 0; i < room.shown.places.size() && dropper.target; ++i) {
+    const ScreenRect r = room.shown.places[i];
     ImGui::SetNextWindowPos({r.min.x, r.min.y});
     ImGui::SetNextWindowSize({std::max(r.max.x - r.min.x, 1.0f), std::max(r.max.y - r.min.y, 1.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -61,11 +64,12 @@ void drawEyedropper(Editor& editor) {
       const vec2 uv = (vec2(mouse.x, mouse.y) - r.min) / glm::max(r.max - r.min, vec2(1));
       if (const auto seen = texelAt(*picture, uv)) {
         ImGui::BeginTooltip();
-        colorSwatch(editor, "seen", *seen, {editor.theme.px(40), editor.theme.px(20)});
+        colorSwatch(room.ui.theme, room.shown, room.parameters, "seen", *seen,
+                    {room.ui.theme.px(40), room.ui.theme.px(20)});
         ImGui::SameLine();
         ImGui::Text("%.4g  %.4g  %.4g", seen->x, seen->y, seen->z);
         ImGui::EndTooltip();
-        if (clicked) take(editor, *seen);
+        if (clicked) take(room, *seen);
       }
     }
     ImGui::End();

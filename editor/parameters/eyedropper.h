@@ -8,7 +8,7 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct ParameterRoom;
 
 struct Eyedropper {
   std::optional<ParamTarget> target;  ///< on: what gets the colour
@@ -18,6 +18,6 @@ struct Eyedropper {
   dvec3 color{0};
 };
 
-void drawEyedropper(Editor& editor);
+void drawEyedropper(const ParameterRoom& room);
 
 }  // namespace pileus::editor

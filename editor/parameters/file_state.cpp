@@ -3,7 +3,8 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/parameters/parameters.h"
 #include "editor/toolkit/file_listing.h"
 
 namespace fs = std::filesystem;
@@ -28,12 +29,12 @@ std::string faultOf(const fs::path& path) {
 
 }  // namespace
 
-fs::path absoluteFile(const Editor& editor, const std::string& text) {
+fs::path absoluteFile(const Session& session, const std::string& text) {
   if (text.empty()) return {};
   const fs::path path = expandedHome(text);
   if (path.is_absolute()) return path.lexically_normal();
   std::error_code ec;
-  return fs::absolute(editor.document.path().parent_path() / path, ec).lexically_normal();
+  return fs::absolute(session.document.path().parent_path() / path, ec).lexically_normal();
 }
 
 fs::path firstOfPattern(const fs::path& path) {
@@ -47,10 +48,10 @@ fs::path firstOfPattern(const fs::path& path) {
   return path;
 }
 
-std::string missingFile(Editor& editor, const std::string& text) {
+std::string missingFile(const Session& session, Parameters& parameters, const std::string& text) {
   if (text.empty()) return {};
-  const fs::path path = absoluteFile(editor, text);
-  FileStates& states = editor.parameters.files;
+  const fs::path path = absoluteFile(session, text);
+  FileStates& states = parameters.files;
   if (states.known.size() > 64) states.known.clear();
   FileStates::Known& known = states.known[path.string()];
   if (ImGui::GetTime() - known.at > kKeepSeconds) known = {faultOf(path), ImGui::GetTime()};

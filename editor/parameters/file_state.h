@@ -7,7 +7,8 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Parameters;
+struct Session;
 
 struct FileStates {
   struct Known {
@@ -18,9 +19,9 @@ struct FileStates {
 };
 
 /// From the document's folder, "~" and patterns included; empty stays empty.
-std::filesystem::path absoluteFile(const Editor& editor, const std::string& text);
+std::filesystem::path absoluteFile(const Session& session, const std::string& text);
 /// Why a file to read cannot be found, in words; "" = it is there, or none is named.
-std::string missingFile(Editor& editor, const std::string& text);
+std::string missingFile(const Session& session, Parameters& parameters, const std::string& text);
 /// The first file of a pattern ("smoke.####.vdb"); other paths stay.
 std::filesystem::path firstOfPattern(const std::filesystem::path& path);
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
 #include "editor/parameters/data_behind.h"
 #include "editor/parameters/param_widgets.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -61,13 +65,13 @@ int pointAt(const Curve& curve, const Plane& plane, ImVec2 mouse, float reach) {
 }
 
 void setCurve(const ParamWidget& w, const Curve& curve, bool dragging) {
-  setParamValue(w.editor, w.target, curve, dragging);
+  setParamValue(w.room, w.target, curve, dragging);
 }
 
 void removePoint(const ParamWidget& w, Curve curve, int i) {
-  if (curve.points.size() < 2) return w.editor.messages.hint("A curve keeps one point.");
+  if (curve.points.size() < 2) return w.room.ui.messages.hint("A curve keeps one point.");
   curve.points.erase(curve.points.begin() + i);
-  w.editor.parameters.points.selected = -1;
+  w.room.parameters.points.selected = -1;
   setCurve(w, curve, false);
 }
 
@@ -82,13 +86,13 @@ std::optional<std::size_t> placeFor(const Curve& curve, double x) {
 }
 
 void press(const ParamWidget& w, Curve& curve, const Plane& plane) {
-  PointEdit& edit = w.editor.parameters.points;
+  PointEdit& edit = w.room.parameters.points;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   edit.key = w.target.key();
-  edit.selected = pointAt(curve, plane, mouse, w.editor.theme.px(9));
+  edit.selected = pointAt(curve, plane, mouse, w.room.ui.theme.px(9));
   const dvec2 at = plane.value(mouse);
   const float away = std::abs(plane.at({at.x, nodes::curveAt(curve, at.x)}).y - mouse.y);
-  if (edit.selected < 0 && (ImGui::IsMouseDoubleClicked(0) || away < w.editor.theme.px(7)))
+  if (edit.selected < 0 && (ImGui::IsMouseDoubleClicked(0) || away < w.room.ui.theme.px(7)))
     if (const auto place = placeFor(curve, std::clamp(at.x, 0.0, 1.0))) {
       const auto i = static_cast<std::ptrdiff_t>(*place);
       curve.points.insert(curve.points.begin() + i, dvec2(tidy(at.x), at.y));
@@ -101,7 +105,7 @@ void press(const ParamWidget& w, Curve& curve, const Plane& plane) {
 }
 
 void drag(const ParamWidget& w, Curve& curve, const Plane& plane) {
-  PointEdit& edit = w.editor.parameters.points;
+  PointEdit& edit = w.room.parameters.points;
   const ImGuiIO& io = ImGui::GetIO();
   const auto i = static_cast<std::size_t>(edit.selected);
   const double share = io.KeyShift ? 0.1 : 1;
@@ -116,7 +120,7 @@ void drag(const ParamWidget& w, Curve& curve, const Plane& plane) {
 }
 
 void handleMouse(const ParamWidget& w, Curve& curve, const Plane& plane, bool hovered) {
-  PointEdit& edit = w.editor.parameters.points;
+  PointEdit& edit = w.room.parameters.points;
   const ImGuiIO& io = ImGui::GetIO();
   const int selected = edit.of(w.target.key(), curve.points.size());
   if (edit.dragging && selected >= 0) {
@@ -126,16 +130,16 @@ void handleMouse(const ParamWidget& w, Curve& curve, const Plane& plane, bool ho
       return;
     }
     edit.dragging = false;
-    return endParamEdit(w.editor, w.target, cancelled);
+    return endParamEdit(w.room.ui, w.room.session, w.room.parameters, w.target, cancelled);
   }
   if (!hovered) return;
   if (ImGui::IsMouseClicked(0)) return press(w, curve, plane);
-  const int over = pointAt(curve, plane, io.MousePos, w.editor.theme.px(9));
+  const int over = pointAt(curve, plane, io.MousePos, w.room.ui.theme.px(9));
   if (over >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (over >= 0 && ImGui::IsMouseClicked(1)) {
     edit.removing = true;
     removePoint(w, curve, over);
-  } else if (selected >= 0 && !w.editor.parameters.numbers.typing &&
+  } else if (selected >= 0 && !w.room.ui.fields.number.typing &&
              ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false)) {
     removePoint(w, curve, selected);
   }
@@ -149,11 +153,11 @@ void drawGrid(const ParamWidget& w, const Plane& plane) {
     draw->AddLine({x, plane.lo.y}, {x, plane.hi.y}, faded(palette::kLine, 0.7f));
     draw->AddLine({plane.lo.x, y}, {plane.hi.x, y}, faded(palette::kLine, 0.7f));
   }
-  draw->AddLine(plane.at({0, 0}), plane.at({1, 1}), faded(palette::kTextFaint, 0.35f), w.editor.theme.px(1));
+  draw->AddLine(plane.at({0, 0}), plane.at({1, 1}), faded(palette::kTextFaint, 0.35f), w.room.ui.theme.px(1));
 }
 
 void drawLine(const ParamWidget& w, const Curve& curve, const Plane& plane) {
-  const Theme& theme = w.editor.theme;
+  const Theme& theme = w.room.ui.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   std::vector<double> xs;
   const int columns = std::max(2, static_cast<int>((plane.hi.x - plane.lo.x) / 2));
@@ -163,7 +167,7 @@ void drawLine(const ParamWidget& w, const Curve& curve, const Plane& plane) {
   std::vector<ImVec2> line;
   for (const double x : xs) line.push_back(plane.at({x, nodes::curveAt(curve, x)}));
   draw->AddPolyline(line.data(), static_cast<int>(line.size()), palette::kAccent, 0, theme.px(2));
-  const int selected = w.editor.parameters.points.of(w.target.key(), curve.points.size());
+  const int selected = w.room.parameters.points.of(w.target.key(), curve.points.size());
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const ImVec2 p = plane.at(curve.points[i]);
     const bool on = static_cast<int>(i) == selected;
@@ -171,16 +175,16 @@ void drawLine(const ParamWidget& w, const Curve& curve, const Plane& plane) {
     draw->AddCircleFilled(p, r + theme.px(1.5f), palette::kField);
     draw->AddCircleFilled(p, r, on ? palette::kSelect : palette::kAccent);
     const std::string name = "point/" + w.target.spec->id + "/" + std::to_string(i);
-    w.editor.trace.rect(name, {p.x - r, p.y - r}, {p.x + r, p.y + r});
+    w.room.ui.trace.rect(name, {p.x - r, p.y - r}, {p.x + r, p.y + r});
   }
 }
 
 void drawGraph(const ParamWidget& w, Curve& curve) {
-  const Theme& theme = w.editor.theme;
+  const Theme& theme = w.room.ui.theme;
   const float height = theme.px(150), pad = theme.px(7);
   const ImVec2 lo = ImGui::GetCursorScreenPos(), hi = {lo.x + w.width, lo.y + height};
   ImGui::InvisibleButton("graph", {w.width, height});
-  w.editor.trace.item("curve/" + w.target.spec->id);
+  w.room.ui.trace.item("curve/" + w.target.spec->id);
   const bool hovered = ImGui::IsItemHovered();
   const Plane plane{{lo.x + pad, lo.y + pad}, {hi.x - pad, hi.y - pad}};
   handleMouse(w, curve, plane, hovered);
@@ -197,7 +201,7 @@ void drawGraph(const ParamWidget& w, Curve& curve) {
 
 /// A coordinate of the selected point.
 void drawCoordinate(const ParamWidget& w, Curve& curve, int selected, int axis, float width) {
-  const Theme& theme = w.editor.theme;
+  const Theme& theme = w.room.ui.theme;
   const char* label = axis == 0 ? "In" : "Out";
   const float room = theme.px(28);
   ImGui::AlignTextToFramePadding();
@@ -211,8 +215,8 @@ void drawCoordinate(const ParamWidget& w, Curve& curve, int selected, int axis, 
   f.hardMin = f.softMin = 0, f.hardMax = f.softMax = 1;
   f.mixed = f.locked = selected < 0;
   double value = selected < 0 ? 0 : curve.points[static_cast<std::size_t>(selected)][axis];
-  const NumberEdit edit = numberField(w.editor.parameters.numbers, theme, label, value, f, width - room);
-  w.editor.trace.item(axis == 0 ? "point/in" : "point/out");
+  const NumberEdit edit = numberField(w.room.ui.fields.number, theme, label, value, f, width - room);
+  w.room.ui.trace.item(axis == 0 ? "point/in" : "point/out");
   if (edit.changed && selected >= 0) {
     dvec2 p = curve.points[static_cast<std::size_t>(selected)];
     p[axis] = value;
@@ -223,14 +227,14 @@ void drawCoordinate(const ParamWidget& w, Curve& curve, int selected, int axis, 
 }
 
 void drawPresets(const ParamWidget& w, float width) {
-  const bool open = beginCombo(w.editor.theme, "##preset", "Presets", width);
-  if (!open) return w.editor.trace.item("presets/" + w.target.spec->id);
+  const bool open = beginCombo(w.room.ui.theme, "##preset", "Presets", width);
+  if (!open) return w.room.ui.trace.item("presets/" + w.target.spec->id);
   for (const Preset& p : kPresets) {
     if (ImGui::Selectable(p.label)) {
-      w.editor.parameters.points.selected = -1;
+      w.room.parameters.points.selected = -1;
       setCurve(w, p.curve, false);
     }
-    w.editor.trace.item(std::string("preset/") + p.id);
+    w.room.ui.trace.item(std::string("preset/") + p.id);
   }
   ImGui::EndCombo();
 }
@@ -238,10 +242,10 @@ void drawPresets(const ParamWidget& w, float width) {
 }  // namespace
 
 void drawCurve(const ParamWidget& w) {
-  const Theme& theme = w.editor.theme;
+  const Theme& theme = w.room.ui.theme;
   nodes::Curve curve = std::get<nodes::Curve>(w.state.value);
   drawGraph(w, curve);
-  const int selected = w.editor.parameters.points.of(w.target.key(), curve.points.size());
+  const int selected = w.room.parameters.points.of(w.target.key(), curve.points.size());
   const float gap = theme.px(8), half = std::floor(0.5f * (w.width - gap));
   drawCoordinate(w, curve, selected, 0, half);
   ImGui::SameLine(0, gap);

@@ -1,4 +1,10 @@
 #include "editor/parameters/param_edit.h"
+#include "editor/document/session.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/ui.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -6,7 +12,6 @@
 #include <algorithm>
 #include <set>
 
-#include "editor/app/editor.h"
 #include "nodes/file/serialize.h"
 #include "nodes/graph/graph_animation.h"
 #include "nodes/graph/graph_edits.h"
@@ -21,20 +26,20 @@ using nodes::ParamValue;
 
 std::string mergeKey(const ParamTarget& target) { return "param " + target.key(); }
 
-void remember(Editor& editor, const ParamTarget& target) {
-  DragMemory& memory = editor.parameters.drag;
+void remember(const Session& session, Parameters& parameters, const ParamTarget& target) {
+  DragMemory& memory = parameters.drag;
   if (memory.key == target.key()) return;
   memory.key = target.key();
   memory.before.clear();
   for (const std::string& name : target.nodes)
-    if (const auto it = editor.document.graph().nodes.find(name); it != editor.document.graph().nodes.end())
+    if (const auto it = session.document.graph().nodes.find(name); it != session.document.graph().nodes.end())
       memory.before[name] = it->second;
 }
 
 /// Each node's edit in turn; the first that is refused refuses all.
-Result<Graph> onEach(const Editor& editor, const std::vector<std::string>& names,
+Result<Graph> onEach(const Session& session, const std::vector<std::string>& names,
                      const std::function<Result<Graph>(const Graph&, const std::string&)>& edit) {
-  Graph graph = editor.document.graph();
+  Graph graph = session.document.graph();
   for (const std::string& name : names) {
     if (!nodes::findNode(graph, name)) continue;
     PILEUS_TRY(graph, edit(graph, name));
@@ -72,8 +77,8 @@ std::string ParamTarget::title() const {
   return nodes.size() == 1 ? key() : fmt::format("{} of {} nodes", spec->id, nodes.size());
 }
 
-ParamState paramState(const Editor& editor, const ParamTarget& target) {
-  const Graph& graph = editor.document.graph();
+ParamState paramState(const Session& session, const Clock& clock, const ParamTarget& target) {
+  const Graph& graph = session.document.graph();
   const std::string& id = target.spec->id;
   ParamState state;
   state.value = target.spec->fallback;
@@ -81,14 +86,14 @@ ParamState paramState(const Editor& editor, const ParamTarget& target) {
   for (const std::string& name : target.nodes) {
     const nodes::Node* node = nodes::findNode(graph, name);
     if (!node) continue;
-    const ParamValue value = nodes::paramValue(*node, *target.spec, editor.frame);
+    const ParamValue value = nodes::paramValue(*node, *target.spec, clock.frame);
     if (first)
       state.value = value;
     else
       compare(state, value);
     first = false;
     state.animated |= node->animated.contains(id);
-    state.keyHere |= hasKeyAt(*node, id, editor.frame);
+    state.keyHere |= hasKeyAt(*node, id, clock.frame);
     state.faulty |= node->unknown.contains("params/" + id);
     state.modified |= node->params.contains(id) || state.animated || state.faulty;
     state.exposed |= nodes::isSocket(*node, *target.spec);
@@ -97,127 +102,132 @@ ParamState paramState(const Editor& editor, const ParamTarget& target) {
   return state;
 }
 
-void changeParam(Editor& editor, const ParamTarget& target, const ParamChange& change, bool dragging) {
-  if (dragging) remember(editor, target);
-  Result<Graph> graph = onEach(editor, target.nodes, [&](const Graph& g, const std::string& name) {
-    const ParamValue value = change(nodes::paramValue(*nodes::findNode(g, name), *target.spec, editor.frame));
-    return nodes::setParamAt(g, name, target.spec->id, value, editor.frame);
+void changeParam(const ParameterRoom& room, const ParamTarget& target, const ParamChange& change,
+                 bool dragging) {
+  if (dragging) remember(room.session, room.parameters, target);
+  Result<Graph> graph = onEach(room.session, target.nodes, [&](const Graph& g, const std::string& name) {
+    const ParamValue value =
+        change(nodes::paramValue(*nodes::findNode(g, name), *target.spec, room.clock.frame));
+    return nodes::setParamAt(g, name, target.spec->id, value, room.clock.frame);
   });
-  tryEdit(editor, std::move(graph), "Set " + target.title(), dragging ? mergeKey(target) : "");
-  if (dragging) editor.preview.touch();
+  tryEdit(room.session, room.ui.messages, std::move(graph), "Set " + target.title(),
+          dragging ? mergeKey(target) : "");
+  if (dragging) room.shown.preview.touch();
 }
 
-void setParamValue(Editor& editor, const ParamTarget& target, const ParamValue& value, bool dragging) {
+void setParamValue(const ParameterRoom& room, const ParamTarget& target, const ParamValue& value,
+                   bool dragging) {
   changeParam(
-      editor, target, [&](const ParamValue&) { return value; }, dragging);
+      room, target, [&](const ParamValue&) { return value; }, dragging);
 }
 
-void endParamEdit(Editor& editor, const ParamTarget& target, bool cancelled) {
-  DragMemory& memory = editor.parameters.drag;
+void endParamEdit(Ui& ui, Session& session, Parameters& parameters, const ParamTarget& target,
+                  bool cancelled) {
+  DragMemory& memory = parameters.drag;
   if (cancelled && memory.key == target.key()) {
-    Graph graph = editor.document.graph();
+    Graph graph = session.document.graph();
     for (const auto& [name, node] : memory.before)
       if (graph.nodes.contains(name)) graph.nodes[name] = node;
     // The document drops a step that ends where it began.
-    tryEdit(editor, std::move(graph), "Set " + target.title(), mergeKey(target));
+    tryEdit(session, ui.messages, std::move(graph), "Set " + target.title(), mergeKey(target));
   }
   memory = {};
-  editor.document.endMerge();
+  session.document.endMerge();
 }
 
-void resetParam(Editor& editor, const ParamTarget& target) {
-  tryEdit(editor,
-          onEach(editor, target.nodes,
+void resetParam(Ui& ui, Session& session, const ParamTarget& target) {
+  tryEdit(session, ui.messages,
+          onEach(session, target.nodes,
                  [&](const Graph& g, const std::string& name) {
                    return nodes::setParam(g, name, target.spec->id, target.spec->fallback);
                  }),
           "Reset " + target.title());
 }
 
-void resetNodes(Editor& editor, const std::vector<std::string>& names) {
+void resetNodes(Ui& ui, Session& session, const std::vector<std::string>& names) {
   if (names.empty()) return;
-  tryEdit(editor,
-          onEach(editor, names,
+  tryEdit(session, ui.messages,
+          onEach(session, names,
                  [&](const Graph& g, const std::string& name) {
                    return Result<Graph>(nodes::resetParams(g, name));
                  }),
           names.size() == 1 ? "Reset " + names.front() : fmt::format("Reset {} nodes", names.size()));
 }
 
-void toggleKey(Editor& editor, const ParamTarget& target) {
-  const bool remove = paramState(editor, target).keyHere;
+void toggleKey(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target) {
+  const bool remove = paramState(session, clock, target).keyHere;
   Result<Graph> graph =
-      onEach(editor, target.nodes, [&](const Graph& g, const std::string& name) -> Result<Graph> {
+      onEach(session, target.nodes, [&](const Graph& g, const std::string& name) -> Result<Graph> {
         const nodes::Node& node = *nodes::findNode(g, name);
         if (remove)
-          return hasKeyAt(node, target.spec->id, editor.frame)
-                     ? Result<Graph>(nodes::removeKey(g, name, target.spec->id, editor.frame))
+          return hasKeyAt(node, target.spec->id, clock.frame)
+                     ? Result<Graph>(nodes::removeKey(g, name, target.spec->id, clock.frame))
                      : Result<Graph>(g);
-        const ParamValue value = nodes::paramValue(node, *target.spec, editor.frame);
-        return nodes::setKey(g, name, target.spec->id, editor.frame, value);
+        const ParamValue value = nodes::paramValue(node, *target.spec, clock.frame);
+        return nodes::setKey(g, name, target.spec->id, clock.frame, value);
       });
   if (tryEdit(
-          editor, std::move(graph),
-          fmt::format("{} key of {} at frame {}", remove ? "Remove" : "Set", target.title(), editor.frame)))
-    editor.messages.note(fmt::format("{} of {} at frame {}", remove ? "Key removed" : "Key set",
-                                     target.title(), editor.frame));
+          session, ui.messages, std::move(graph),
+          fmt::format("{} key of {} at frame {}", remove ? "Remove" : "Set", target.title(), clock.frame)))
+    ui.messages.note(
+        fmt::format("{} of {} at frame {}", remove ? "Key removed" : "Key set", target.title(), clock.frame));
 }
 
-void clearAnimation(Editor& editor, const ParamTarget& target) {
-  tryEdit(editor,
-          onEach(editor, target.nodes,
+void clearAnimation(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target) {
+  tryEdit(session, ui.messages,
+          onEach(session, target.nodes,
                  [&](const Graph& g, const std::string& name) {
-                   return Result<Graph>(nodes::clearAnimation(g, name, target.spec->id, editor.frame));
+                   return Result<Graph>(nodes::clearAnimation(g, name, target.spec->id, clock.frame));
                  }),
           "Remove animation of " + target.title());
 }
 
 bool canExpose(const ParamSpec& spec) { return !spec.socket && !nodes::constantOnly(spec.type); }
 
-void toggleExposed(Editor& editor, const ParamTarget& target) {
-  const bool on = !paramState(editor, target).exposed;
-  tryEdit(editor,
-          onEach(editor, target.nodes,
+void toggleExposed(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target) {
+  const bool on = !paramState(session, clock, target).exposed;
+  tryEdit(session, ui.messages,
+          onEach(session, target.nodes,
                  [&](const Graph& g, const std::string& name) {
                    return nodes::exposeParam(g, name, target.spec->id, on);
                  }),
           (on ? "Expose " : "Do not expose ") + target.title());
 }
 
-void copyParam(const Editor& editor, const ParamTarget& target) {
-  ImGui::SetClipboardText(nodes::formatParam(*target.spec, paramState(editor, target).value).c_str());
+void copyParam(const Session& session, const Clock& clock, const ParamTarget& target) {
+  ImGui::SetClipboardText(nodes::formatParam(*target.spec, paramState(session, clock, target).value).c_str());
 }
 
-void pasteParam(Editor& editor, const ParamTarget& target) {
+void pasteParam(const ParameterRoom& room, const ParamTarget& target) {
   const char* text = ImGui::GetClipboardText();
   const std::string shown = std::string(text ? text : "").substr(0, 40);
   Result<ParamValue> value = nodes::parseParam(*target.spec, text ? text : "");
   if (value) value = nodes::checkedParam(*target.spec, *value);
   if (!value)
-    return editor.messages.hint(
+    return room.ui.messages.hint(
         fmt::format("\"{}\" does not fit {}: {}", shown, target.spec->label, value.error().message));
-  setParamValue(editor, target, *value);
+  setParamValue(room, target, *value);
 }
 
-void pasteValues(Editor& editor, const std::vector<std::string>& names) {
+void pasteValues(Ui& ui, Session& session, const Clock& clock, const std::vector<std::string>& names) {
   const char* text = ImGui::GetClipboardText();
   std::set<std::string> pasted;
   const Result<Graph> from = nodes::pasteText(Graph{}, text ? text : "", {0, 0}, &pasted);
   if (!from || pasted.empty())
-    return editor.messages.hint("Copy a node first: its values can then be pasted onto another one.");
+    return ui.messages.hint("Copy a node first: its values can then be pasted onto another one.");
   const std::string& sourceName = *pasted.begin();
   const nodes::Node& source = *nodes::findNode(*from, sourceName);
   const nodes::NodeType* sourceType = nodes::findNodeType(source.type);
-  if (!sourceType) return editor.messages.hint("The node on the clipboard is of an unknown type.");
+  if (!sourceType) return ui.messages.hint("The node on the clipboard is of an unknown type.");
   int count = 0;
-  Result<Graph> graph = onEach(editor, names, [&](const Graph& g, const std::string& name) -> Result<Graph> {
+  Result<Graph> graph = onEach(session, names, [&](const Graph& g, const std::string& name) -> Result<Graph> {
     Graph next = g;
     const nodes::NodeType* type = nodes::findNodeType(nodes::findNode(g, name)->type);
     if (!type) return next;
     for (const ParamSpec& spec : type->params) {
       const ParamSpec* other = sourceType->param(spec.id);
       if (!other) continue;
-      Result<ParamValue> value = nodes::checkedParam(spec, nodes::paramValue(source, *other, editor.frame));
+      Result<ParamValue> value = nodes::checkedParam(spec, nodes::paramValue(source, *other, clock.frame));
       if (!value) continue;  // a value that does not fit stays as it is
       PILEUS_TRY(next, nodes::setParam(next, name, spec.id, *value));
       ++count;
@@ -225,10 +235,9 @@ void pasteValues(Editor& editor, const std::vector<std::string>& names) {
     return next;
   });
   if (graph && count == 0)
-    return editor.messages.hint(
-        fmt::format("{} and this node have no parameters in common.", sourceType->label));
-  if (tryEdit(editor, std::move(graph), "Paste values of " + sourceName))
-    editor.messages.note(fmt::format("Values of {} pasted", sourceName));
+    return ui.messages.hint(fmt::format("{} and this node have no parameters in common.", sourceType->label));
+  if (tryEdit(session, ui.messages, std::move(graph), "Paste values of " + sourceName))
+    ui.messages.note(fmt::format("Values of {} pasted", sourceName));
 }
 
 }  // namespace pileus::editor

@@ -11,7 +11,11 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Clock;
+struct ParameterRoom;
+struct Parameters;
+struct Session;
+struct Ui;
 
 struct ParamTarget {
   std::vector<std::string> nodes;  ///< of one type; the first one's value is shown
@@ -35,27 +39,29 @@ struct ParamState {
   bool linked() const { return !sourceNode.empty(); }
 };
 
-ParamState paramState(const Editor& editor, const ParamTarget& target);
+ParamState paramState(const Session& session, const Clock& clock, const ParamTarget& target);
 
 using ParamChange = std::function<nodes::ParamValue(const nodes::ParamValue&)>;
 /// Applies `change` to each node's own value.
-void changeParam(Editor& editor, const ParamTarget& target, const ParamChange& change, bool dragging);
-void setParamValue(Editor& editor, const ParamTarget& target, const nodes::ParamValue& value,
+void changeParam(const ParameterRoom& room, const ParamTarget& target, const ParamChange& change,
+                 bool dragging);
+void setParamValue(const ParameterRoom& room, const ParamTarget& target, const nodes::ParamValue& value,
                    bool dragging = false);
 /// The end of a drag; a cancelled one leaves everything as it was, and no step.
-void endParamEdit(Editor& editor, const ParamTarget& target, bool cancelled = false);
+void endParamEdit(Ui& ui, Session& session, Parameters& parameters, const ParamTarget& target,
+                  bool cancelled = false);
 
-void resetParam(Editor& editor, const ParamTarget& target);
-void resetNodes(Editor& editor, const std::vector<std::string>& nodes);
-void toggleKey(Editor& editor, const ParamTarget& target);
-void clearAnimation(Editor& editor, const ParamTarget& target);
+void resetParam(Ui& ui, Session& session, const ParamTarget& target);
+void resetNodes(Ui& ui, Session& session, const std::vector<std::string>& nodes);
+void toggleKey(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target);
+void clearAnimation(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target);
 bool canExpose(const nodes::ParamSpec& spec);
-void toggleExposed(Editor& editor, const ParamTarget& target);
+void toggleExposed(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target);
 
-void copyParam(const Editor& editor, const ParamTarget& target);
-void pasteParam(Editor& editor, const ParamTarget& target);
+void copyParam(const Session& session, const Clock& clock, const ParamTarget& target);
+void pasteParam(const ParameterRoom& room, const ParamTarget& target);
 /// All values of the first node on the clipboard, where these nodes have parameters of that name.
-void pasteValues(Editor& editor, const std::vector<std::string>& nodes);
+void pasteValues(Ui& ui, Session& session, const Clock& clock, const std::vector<std::string>& nodes);
 
 /// Of the drag that goes on.
 struct DragMemory {

@@ -1,11 +1,16 @@
 // The widgets of files and of the grids in them.
 #include <algorithm>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
 #include "editor/parameters/file_state.h"
 #include "editor/parameters/param_widgets.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -14,23 +19,24 @@ namespace {
 namespace fs = std::filesystem;
 
 void browse(const ParamWidget& w) {
-  Editor& editor = w.editor;
+  const ParameterRoom& room = w.room;
   BrowserRequest request;
   request.title = w.target.spec->label + " of " + w.target.nodes.front();
   request.button = "Choose";
   request.saving = w.target.spec->writes;
-  request.start = w.state.mixed() ? fs::path() : absoluteFile(editor, std::get<std::string>(w.state.value));
+  request.start =
+      w.state.mixed() ? fs::path() : absoluteFile(room.session, std::get<std::string>(w.state.value));
   request.sequences =
       w.target.spec->help.find('#') != std::string::npos;  // the node says that it reads patterns
   if (!w.target.spec->fileKinds.empty()) request.kinds = {w.target.spec->fileKinds};
-  request.done = [&editor, target = w.target](const fs::path& path) {
-    setParamValue(editor, target, path.string());
+  request.done = [room, target = w.target](const fs::path& path) {
+    setParamValue(room, target, path.string());
   };
-  editor.browser.open(editor, std::move(request));
+  room.ui.modals.browser.open(room.settings, std::move(request));
 }
 
 /// A small square button in a row of such.
-bool mark(Editor& editor, const char* icon, const std::string& trace, const char* help) {
+bool mark(Ui& ui, const char* icon, const std::string& trace, const char* help) {
   const float size = ImGui::GetFrameHeight();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
   ImGui::PushStyleColor(ImGuiCol_Button, 0);
@@ -39,42 +45,42 @@ bool mark(Editor& editor, const char* icon, const std::string& trace, const char
   ImGui::PopID();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  editor.trace.item(trace);
-  if (ImGui::IsItemHovered()) tooltip(editor.theme, help);
+  ui.trace.item(trace);
+  if (ImGui::IsItemHovered()) tooltip(ui.theme, help);
   return pressed;
 }
 
-fs::path vdbOf(Editor& editor, const ParamWidget& w) {
-  const nodes::Node* node = nodes::findNode(editor.document.graph(), w.target.nodes.front());
+fs::path vdbOf(const Session& session, const Clock& clock, const ParamWidget& w) {
+  const nodes::Node* node = nodes::findNode(session.document.graph(), w.target.nodes.front());
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   if (!type) return {};
   for (const nodes::ParamSpec& spec : type->params)
     if (spec.type == nodes::ParamType::File && spec.fileKinds == "vdb" && !spec.writes)
-      return absoluteFile(editor, std::get<std::string>(nodes::paramValue(*node, spec, editor.frame)));
+      return absoluteFile(session, std::get<std::string>(nodes::paramValue(*node, spec, clock.frame)));
   return {};
 }
 
 void drawGridList(const ParamWidget& w) {
-  Editor& editor = w.editor;
-  const fs::path file = vdbOf(editor, w);
-  if (ImGui::Selectable("Chosen by name and class")) setParamValue(editor, w.target, std::string());
-  editor.trace.item("grid/");
+  const ParameterRoom& room = w.room;
+  const fs::path file = vdbOf(room.session, room.clock, w);
+  if (ImGui::Selectable("Chosen by name and class")) setParamValue(room, w.target, std::string());
+  room.ui.trace.item("grid/");
   ImGui::Separator();
   if (file.empty()) return ImGui::TextDisabled("No file chosen.");
-  const GridList grids = gridsOf(editor.parameters.grids, firstOfPattern(file));
+  const GridList grids = gridsOf(room.parameters.grids, firstOfPattern(file));
   if (!grids.ready) return ImGui::TextDisabled("Reading the file\xe2\x80\xa6");
   if (!grids.error.empty()) {
-    ImGui::PushTextWrapPos(editor.theme.px(360));
+    ImGui::PushTextWrapPos(room.ui.theme.px(360));
     ImGui::TextDisabled("%s", grids.error.c_str());
     return ImGui::PopTextWrapPos();
   }
   const std::string& current = std::get<std::string>(w.state.value);
   for (const GridList::Item& g : grids.items) {
     if (ImGui::Selectable((g.name.empty() ? "(no name)" : g.name).c_str(), g.name == current))
-      setParamValue(editor, w.target, g.name);
-    editor.trace.item("grid/" + g.name);
-    ImGui::SameLine(0, editor.theme.space(4));
-    ImGui::PushFont(editor.theme.small);
+      setParamValue(room, w.target, g.name);
+    room.ui.trace.item("grid/" + g.name);
+    ImGui::SameLine(0, room.ui.theme.space(4));
+    ImGui::PushFont(room.ui.theme.small);
     ImGui::TextDisabled("%s", g.about.c_str());
     ImGui::PopFont();
   }
@@ -84,35 +90,37 @@ void drawGridList(const ParamWidget& w) {
 }  // namespace
 
 void drawFile(const ParamWidget& w) {
-  Editor& editor = w.editor;
+  const ParameterRoom& room = w.room;
   std::string text = w.state.mixed() ? "" : std::get<std::string>(w.state.value);
   const std::string shown = text;
-  const float each = ImGui::GetFrameHeight() + editor.theme.px(2);
+  const float each = ImGui::GetFrameHeight() + room.ui.theme.px(2);
   const bool clearable = !shown.empty() || w.state.mixed();
   std::vector<std::string> kinds;
   if (!w.target.spec->fileKinds.empty()) kinds = {w.target.spec->fileKinds};
   const char* hint = w.state.mixed() ? "\xe2\x80\x93" : w.target.spec->writes ? "no file" : "no file chosen";
-  if (textField(editor, w.target.key(), text, w.width - (clearable ? 2 : 1) * each, hint, &kinds))
-    setParamValue(editor, w.target, expandedHome(text));
-  if (!shown.empty() && ImGui::IsItemHovered() && !ImGui::IsItemActive() && editor.parameters.rest.long_)
-    tooltip(editor.theme, absoluteFile(editor, shown).string());
+  if (textField(room.session, room.parameters, w.target.key(), text, w.width - (clearable ? 2 : 1) * each,
+                hint, &kinds))
+    setParamValue(room, w.target, expandedHome(text));
+  if (!shown.empty() && ImGui::IsItemHovered() && !ImGui::IsItemActive() && room.parameters.rest.long_)
+    tooltip(room.ui.theme, absoluteFile(room.session, shown).string());
   if (clearable) {
-    ImGui::SameLine(0, editor.theme.px(2));
-    if (mark(editor, icon::kTimes, "clear/" + w.target.spec->id, "No file"))
-      setParamValue(editor, w.target, std::string());
+    ImGui::SameLine(0, room.ui.theme.px(2));
+    if (mark(room.ui, icon::kTimes, "clear/" + w.target.spec->id, "No file"))
+      setParamValue(room, w.target, std::string());
   }
-  ImGui::SameLine(0, editor.theme.px(2));
-  if (mark(editor, icon::kFolderOpen, "browse/" + w.target.spec->id, "Choose a file")) browse(w);
-  const std::string missing = w.target.spec->writes || w.state.mixed() ? "" : missingFile(editor, shown);
+  ImGui::SameLine(0, room.ui.theme.px(2));
+  if (mark(room.ui, icon::kFolderOpen, "browse/" + w.target.spec->id, "Choose a file")) browse(w);
+  const std::string missing =
+      w.target.spec->writes || w.state.mixed() ? "" : missingFile(room.session, room.parameters, shown);
   if (missing.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-  ImGui::PushFont(editor.theme.small);
+  ImGui::PushFont(room.ui.theme.small);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + w.width);
   ImGui::TextUnformatted(missing.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
   ImGui::PopStyleColor();
-  editor.trace.note("missing file", missing);
+  room.ui.trace.note("missing file", missing);
 }
 
 bool isGridName(const nodes::NodeType& type, const nodes::ParamSpec& spec) {
@@ -126,14 +134,15 @@ void drawGridName(const ParamWidget& w) {
   const float button = ImGui::GetFrameHeight();
   std::string text = w.state.mixed() ? "" : std::get<std::string>(w.state.value);
   const char* hint = w.state.mixed() ? "\xe2\x80\x93" : "by name and class";
-  if (textField(w.editor, w.target.key(), text, w.width - button - w.editor.theme.px(2), hint))
-    setParamValue(w.editor, w.target, text);
-  ImGui::SameLine(0, w.editor.theme.px(2));
-  if (beginCombo(w.editor.theme, "##grids", "", button)) {
+  if (textField(w.room.session, w.room.parameters, w.target.key(), text,
+                w.width - button - w.room.ui.theme.px(2), hint))
+    setParamValue(w.room, w.target, text);
+  ImGui::SameLine(0, w.room.ui.theme.px(2));
+  if (beginCombo(w.room.ui.theme, "##grids", "", button)) {
     drawGridList(w);
     ImGui::EndCombo();
   }
-  w.editor.trace.item("grids/" + w.target.spec->id);
+  w.room.ui.trace.item("grids/" + w.target.spec->id);
 }
 
 }  // namespace pileus::editor

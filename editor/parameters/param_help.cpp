@@ -5,9 +5,12 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/parameters/parameters.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -88,9 +91,8 @@ void small(const Theme& theme, ImU32 ink, const std::string& text) {
   ImGui::PopFont();
 }
 
-void drawParam(Editor& editor, const ParamSpec& spec) {
-  const Theme& theme = editor.theme;
-  HelpPage& page = editor.parameters.help;
+void drawParam(const Theme& theme, Parameters& parameters, const ParamSpec& spec) {
+  HelpPage& page = parameters.help;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (page.scroll && page.param == spec.id) {
     ImGui::SetScrollHereY(0.15f);
@@ -133,22 +135,21 @@ void drawSockets(const Theme& theme, const char* title, const std::vector<nodes:
   }
 }
 
-void drawType(Editor& editor, const nodes::NodeType& type) {
-  const Theme& theme = editor.theme;
+void drawType(const Theme& theme, Parameters& parameters, const nodes::NodeType& type) {
   if (!type.help.empty()) colored(palette::kText, type.help);
   if (!type.params.empty()) {
     ImGui::Dummy({0, theme.space(1)});
     small(theme, palette::kTextFaint, "Parameters");
   }
-  for (const ParamSpec& spec : type.params) drawParam(editor, spec);
+  for (const ParamSpec& spec : type.params) drawParam(theme, parameters, spec);
   drawSockets(theme, "Inputs", type.inputs);
   drawSockets(theme, "Outputs", type.outputs);
 }
 
 }  // namespace
 
-void drawParamTooltip(Editor& editor, const ParamTarget& target) {
-  const Theme& theme = editor.theme;
+void drawParamTooltip(Ui& ui, const ParamTarget& target) {
+  const Theme& theme = ui.theme;
   const ParamSpec& spec = *target.spec;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme.px(340));
@@ -158,40 +159,41 @@ void drawParamTooltip(Editor& editor, const ParamTarget& target) {
   small(theme, palette::kTextFaint, "F1: the whole page");
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
-  editor.trace.note("param help", spec.id);
+  ui.trace.note("param help", spec.id);
 }
 
-void openHelpPage(Editor& editor, const std::string& node, const std::string& param) {
-  const nodes::Node* n = nodes::findNode(editor.document.graph(), node);
+void openHelpPage(Ui& ui, const Session& session, Parameters& parameters, const std::string& node,
+                  const std::string& param) {
+  const nodes::Node* n = nodes::findNode(session.document.graph(), node);
   if (!n || !nodes::findNodeType(n->type))
-    return editor.messages.hint("There is no page about this type of node.");
-  editor.parameters.help = {n->type, param, !param.empty(), true};
+    return ui.messages.hint("There is no page about this type of node.");
+  parameters.help = {n->type, param, !param.empty(), true};
 }
 
-void openHelp(Editor& editor) {
-  const Parameters& panel = editor.parameters;
-  if (editor.hovered == Panel::Parameters && panel.hovered)
-    return openHelpPage(editor, panel.hovered->nodes.front(), panel.hovered->spec->id);
-  const bool graph = editor.hovered == Panel::Graph, here = editor.hovered == Panel::Parameters;
-  const std::vector<std::string> shown = shownNodes(editor);
-  if (graph && editor.document.selection().size() == 1)
-    return openHelpPage(editor, *editor.document.selection().begin(), "");
-  if (here && !shown.empty()) return openHelpPage(editor, shown.front(), "");
-  editor.dialogs.shortcuts = true;
+void openHelp(Ui& ui, const Session& session, Parameters& parameters) {
+  const Parameters& panel = parameters;
+  if (ui.now.hovered == Panel::Parameters && panel.hovered)
+    return openHelpPage(ui, session, parameters, panel.hovered->nodes.front(), panel.hovered->spec->id);
+  const bool graph = ui.now.hovered == Panel::Graph, here = ui.now.hovered == Panel::Parameters;
+  const std::vector<std::string> shown = shownNodes(session, parameters);
+  if (graph && session.document.selection().size() == 1)
+    return openHelpPage(ui, session, parameters, *session.document.selection().begin(), "");
+  if (here && !shown.empty()) return openHelpPage(ui, session, parameters, shown.front(), "");
+  ui.modals.shortcuts = true;
 }
 
-void drawHelpPage(Editor& editor) {
-  HelpPage& page = editor.parameters.help;
+void drawHelpPage(Ui& ui, Parameters& parameters) {
+  HelpPage& page = parameters.help;
   const nodes::NodeType* type = page.open() ? nodes::findNodeType(page.type) : nullptr;
   if (!type) return;
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = std::min(theme.px(460), display.x - theme.px(40));
   const float height = std::min(theme.px(620), display.y - theme.px(120));
   ImGui::SetNextWindowSize({width, height}, ImGuiCond_Appearing);
-  ImGui::SetNextWindowPos({std::max(theme.px(10), editor.parameters.min.x - width - theme.px(12)),
-                           editor.parameters.min.y + theme.px(24)},
-                          ImGuiCond_Appearing);
+  ImGui::SetNextWindowPos(
+      {std::max(theme.px(10), parameters.min.x - width - theme.px(12)), parameters.min.y + theme.px(24)},
+      ImGuiCond_Appearing);
   if (page.appear) ImGui::SetNextWindowFocus();
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kPopup);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(4), theme.space(3)});
@@ -212,21 +214,20 @@ void drawHelpPage(Editor& editor) {
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
     close = ImGui::Button(icon::kTimes, {button, 0});
-    editor.trace.item("help/close");
+    ui.trace.item("help/close");
     ImGui::Separator();
     ImGui::BeginChild("text", {0, 0}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushTextWrapPos();
-    drawType(editor, *type);
+    drawType(ui.theme, parameters, *type);
     ImGui::PopTextWrapPos();
     ImGui::EndChild();
     const ImVec2 lo = ImGui::GetWindowPos();
-    editor.trace.rect("help page", lo, {lo.x + ImGui::GetWindowWidth(), lo.y + ImGui::GetWindowHeight()});
-    editor.trace.note("help page", type->id + "#" + page.param);
+    ui.trace.rect("help page", lo, {lo.x + ImGui::GetWindowWidth(), lo.y + ImGui::GetWindowHeight()});
+    ui.trace.note("help page", type->id + "#" + page.param);
   }
   ImGui::End();
   page.appear = false;
-  if (close ||
-      (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !editor.parameters.numbers.typing))
+  if (close || (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ui.fields.number.typing))
     page = {};
 }
 

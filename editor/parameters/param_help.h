@@ -6,7 +6,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Parameters;
+struct Session;
+struct Ui;
 
 struct HelpPage {
   std::string type;   ///< node type shown; "" = closed
@@ -17,11 +19,12 @@ struct HelpPage {
 };
 
 /// Label, help, default, range, unit and id.
-void drawParamTooltip(Editor& editor, const ParamTarget& target);
+void drawParamTooltip(Ui& ui, const ParamTarget& target);
 /// Opens the page of a node's type at a parameter ("" = its top).
-void openHelpPage(Editor& editor, const std::string& node, const std::string& param);
-void drawHelpPage(Editor& editor);
+void openHelpPage(Ui& ui, const Session& session, Parameters& parameters, const std::string& node,
+                  const std::string& param);
+void drawHelpPage(Ui& ui, Parameters& parameters);
 /// For F1: the page of what the pointer means, or the shortcut sheet.
-void openHelp(Editor& editor);
+void openHelp(Ui& ui, const Session& session, Parameters& parameters);
 
 }  // namespace pileus::editor

@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
 #include "editor/parameters/param_help.h"
 #include "editor/parameters/param_widgets.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "nodes/graph/graph_sockets.h"
 
@@ -31,20 +37,20 @@ void drawDiamond(ImVec2 c, float r, ImU32 color, bool filled, float line) {
 }
 
 /// The ring at the left: an input of the node, or a wish for one.
-void socketMark(Editor& editor, const ParamTarget& target, const ParamState& state, const RowFrame& f,
-                bool lit) {
+void socketMark(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target,
+                const ParamState& state, const RowFrame& f, bool lit) {
   if (!canExpose(*target.spec) && !state.exposed) return;
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   ImGui::SetCursorScreenPos(f.at);
   if (ImGui::InvisibleButton("socket", {theme.px(kSocket), f.height}) && canExpose(*target.spec))
-    toggleExposed(editor, target);
-  editor.trace.item("expose/" + target.spec->id);
+    toggleExposed(ui, session, clock, target);
+  ui.trace.item("expose/" + target.spec->id);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered)
     tooltip(theme,
             state.exposed ? "An input of the node; click to take it back" : "Expose as input of the node");
   const ImVec2 c = {f.at.x + theme.px(5), std::round(f.at.y + 0.5f * f.height)};
-  const ImU32 color = socketColor(nodes::socketType(target.spec->type));
+  const ImU32 color = socketColor(enumId(nodes::socketType(target.spec->type)));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (state.exposed)
     draw->AddCircleFilled(c, theme.px(hovered ? 4.5f : 4), color);
@@ -52,11 +58,11 @@ void socketMark(Editor& editor, const ParamTarget& target, const ParamState& sta
     draw->AddCircle(c, theme.px(3.5f), hovered ? color : palette::kTextFaint, 0, 1.2f * theme.scale);
 }
 
-bool modifiedDot(Editor& editor, const ParamTarget& target, const RowFrame& f) {
-  const Theme& theme = editor.theme;
+bool modifiedDot(Ui& ui, const ParamTarget& target, const RowFrame& f) {
+  const Theme& theme = ui.theme;
   ImGui::SetCursorScreenPos({f.at.x + theme.px(kSocket), f.at.y});
   const bool reset = ImGui::InvisibleButton("reset", {theme.px(kDot), f.height});
-  editor.trace.item("modified/" + target.spec->id);
+  ui.trace.item("modified/" + target.spec->id);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) tooltip(theme, "Changed; click to reset (Backspace)");
   ImGui::GetWindowDrawList()->AddCircleFilled(
@@ -70,18 +76,18 @@ bool animatable(const ParamSpec& spec) {
 }
 
 /// The diamond at the right: outlined = no key, with accent = animated, filled = a key at this frame.
-void keyMark(Editor& editor, const ParamTarget& target, const ParamState& state, const RowFrame& f,
-             bool lit) {
+void keyMark(Ui& ui, Session& session, const Clock& clock, const ParamTarget& target, const ParamState& state,
+             const RowFrame& f, bool lit) {
   if (!animatable(*target.spec) || state.linked()) return;
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   const float x = f.at.x + ImGui::GetContentRegionMax().x - theme.px(kKey);
   ImGui::SetCursorScreenPos({x, f.at.y});
-  if (ImGui::InvisibleButton("key", {theme.px(kKey), f.height})) toggleKey(editor, target);
-  editor.trace.item("key/" + target.spec->id);
+  if (ImGui::InvisibleButton("key", {theme.px(kKey), f.height})) toggleKey(ui, session, clock, target);
+  ui.trace.item("key/" + target.spec->id);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered)
     tooltip(theme,
-            fmt::format("{} at frame {} (I)", state.keyHere ? "Remove the key" : "Set a key", editor.frame));
+            fmt::format("{} at frame {} (I)", state.keyHere ? "Remove the key" : "Set a key", clock.frame));
   if (!lit && !hovered && !state.animated) return;
   const ImVec2 c = {x + theme.px(kKey - 6), std::round(f.at.y + 0.5f * f.height)};
   const ImU32 color = state.animated ? palette::kSelect : hovered ? palette::kText : palette::kTextFaint;
@@ -89,9 +95,9 @@ void keyMark(Editor& editor, const ParamTarget& target, const ParamState& state,
   if (state.animated && !state.keyHere) drawDiamond(c, theme.px(2), color, true, 1);
 }
 
-std::string liveValue(const Editor& editor, const ParamTarget& target) {
+std::string liveValue(const Session& session, const Shown& shown, const ParamTarget& target) {
   const nodes::SocketValue* value =
-      editor.preview.evaluator().input(editor.document.scopedName(target.nodes.front()), target.spec->id);
+      shown.preview.evaluator().input(session.document.scopedName(target.nodes.front()), target.spec->id);
   if (!value) return {};
   const bool whole = target.spec->type == ParamType::Int;
   if (const double* v = std::get_if<double>(value)) return numberText(*v, whole);
@@ -105,17 +111,18 @@ std::string liveValue(const Editor& editor, const ParamTarget& target) {
 }
 
 /// In place of the widget: where the value comes from, and what it is now.
-void drawLinked(Editor& editor, const ParamTarget& target, const ParamState& state, float width) {
-  const Theme& theme = editor.theme;
+void drawLinked(Ui& ui, Session& session, const Shown& shown, const ParamTarget& target,
+                const ParamState& state, float width) {
+  const Theme& theme = ui.theme;
   const ImVec2 lo = ImGui::GetCursorScreenPos(), hi = {lo.x + width, lo.y + ImGui::GetFrameHeight()};
-  if (ImGui::InvisibleButton("linked", {width, hi.y - lo.y})) editor.document.select({state.sourceNode});
-  editor.trace.item("linked/" + target.spec->id);
+  if (ImGui::InvisibleButton("linked", {width, hi.y - lo.y})) session.document.select({state.sourceNode});
+  ui.trace.item("linked/" + target.spec->id);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(lo, hi, faded(hovered ? palette::kFieldHover : palette::kField, hovered ? 1 : 0.6f),
                       theme.px(4));
   const float y = lo.y + 0.5f * (hi.y - lo.y - theme.body->FontSize);
-  const std::string value = liveValue(editor, target), from = "from " + state.sourceNode;
+  const std::string value = liveValue(session, shown, target), from = "from " + state.sourceNode;
   const float room = std::min(textWidth(theme.body, value), 0.5f * width);
   drawText(draw, theme.body, {lo.x + theme.space(2), y}, hovered ? palette::kText : palette::kAccent, from,
            width - room - theme.space(5));
@@ -125,59 +132,61 @@ void drawLinked(Editor& editor, const ParamTarget& target, const ParamState& sta
                                state.sourceSocket));
 }
 
-void drawMenu(Editor& editor, const ParamTarget& target, const ParamState& state) {
+void drawMenu(const ParameterRoom& room, const ParamTarget& target, const ParamState& state) {
   if (!ImGui::BeginPopup("row menu")) return;
   const auto item = [&](const char* id, const char* label, const char* key, bool enabled, bool on = false) {
     const bool chosen = ImGui::MenuItem(label, key, on, enabled);
-    editor.trace.item(std::string("row menu/") + id);
+    room.ui.trace.item(std::string("row menu/") + id);
     return chosen;
   };
-  if (item("reset", "Reset to Default", "Backspace", state.modified)) resetParam(editor, target);
+  if (item("reset", "Reset to Default", "Backspace", state.modified))
+    resetParam(room.ui, room.session, target);
   ImGui::Separator();
-  if (item("copy", "Copy Value", "Ctrl+C", !state.mixed())) copyParam(editor, target);
-  if (item("paste", "Paste Value", "Ctrl+V", true)) pasteParam(editor, target);
+  if (item("copy", "Copy Value", "Ctrl+C", !state.mixed())) copyParam(room.session, room.clock, target);
+  if (item("paste", "Paste Value", "Ctrl+V", true)) pasteParam(room, target);
   if (item("paste all", "Paste All Values of the Copied Node", "Ctrl+Shift+V", true))
-    pasteValues(editor, target.nodes);
+    pasteValues(room.ui, room.session, room.clock, target.nodes);
   ImGui::Separator();
   if (animatable(*target.spec)) {
     if (item("key", state.keyHere ? "Remove Key" : "Set Key", "I", !state.linked()))
-      toggleKey(editor, target);
-    if (item("clear keys", "Remove Animation", "", state.animated)) clearAnimation(editor, target);
+      toggleKey(room.ui, room.session, room.clock, target);
+    if (item("clear keys", "Remove Animation", "", state.animated))
+      clearAnimation(room.ui, room.session, room.clock, target);
   }
   if (canExpose(*target.spec) && item("expose", "Expose as Input", "", true, state.exposed))
-    toggleExposed(editor, target);
+    toggleExposed(room.ui, room.session, room.clock, target);
   ImGui::Separator();
-  if (item("help", "Help", "F1", true)) openHelpPage(editor, target.nodes.front(), target.spec->id);
+  if (item("help", "Help", "F1", true))
+    openHelpPage(room.ui, room.session, room.parameters, target.nodes.front(), target.spec->id);
   ImGui::EndPopup();
 }
 
 /// The frame of the row, whether the pointer is in it, and what its keys mean then.
-bool hoverRow(Editor& editor, const ParamTarget& target, ImVec2 lo, ImVec2 hi, bool clipped) {
-  Parameters& panel = editor.parameters;
+bool hoverRow(Ui& ui, Parameters& parameters, const ParamTarget& target, ImVec2 lo, ImVec2 hi, bool clipped) {
+  Parameters& panel = parameters;
   const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(lo, hi);
   if (!hovered) return false;
   panel.hovered = target;
   if (ImGui::IsMouseReleased(1) && !panel.points.removing) ImGui::OpenPopup("row menu");
-  const bool busy = ImGui::IsAnyItemActive() || panel.numbers.typing != 0;
+  const bool busy = ImGui::IsAnyItemActive() || ui.fields.number.typing != 0;
   const bool below = nodes::constantOnly(target.spec->type);  // the widget fills the lines under the label
   const bool onLabel = (!below || ImGui::GetIO().MousePos.y < lo.y + ImGui::GetFrameHeight()) &&
                        ImGui::GetIO().MousePos.x < lo.x + 0.38f * (hi.x - lo.x) &&
-                       ImGui::GetIO().MousePos.x > lo.x + editor.theme.px(kSocket + kDot);
-  const bool onKey = ImGui::GetIO().MousePos.x > hi.x - editor.theme.px(kKey);
+                       ImGui::GetIO().MousePos.x > lo.x + ui.theme.px(kSocket + kDot);
+  const bool onKey = ImGui::GetIO().MousePos.x > hi.x - ui.theme.px(kKey);
   if (!busy && !onKey &&
       (onLabel ? panel.rest.short_
                : panel.rest.long_ && target.spec->type != ParamType::File &&
                      target.spec->type != ParamType::Enum && !below))
-    drawParamTooltip(editor, target);
+    drawParamTooltip(ui, target);
   else if (!busy && onLabel && clipped)
-    tooltip(editor.theme, target.spec->label);
+    tooltip(ui.theme, target.spec->label);
   return true;
 }
 
 }  // namespace
 
-RowFrame rowFrame(const Editor& editor, bool wide, bool below) {
-  const Theme& theme = editor.theme;
+RowFrame rowFrame(const Theme& theme, bool wide, bool below) {
   RowFrame f;
   f.at = ImGui::GetCursorScreenPos();
   f.height = ImGui::GetFrameHeight();
@@ -190,8 +199,7 @@ RowFrame rowFrame(const Editor& editor, bool wide, bool below) {
   return f;
 }
 
-bool rowLabel(const Editor& editor, const RowFrame& f, const std::string& label, bool strong) {
-  const Theme& theme = editor.theme;
+bool rowLabel(const Theme& theme, const RowFrame& f, const std::string& label, bool strong) {
   const float room = (f.stacked ? f.width : f.widget - f.label) - theme.space(1);
   editor::drawText(ImGui::GetWindowDrawList(), theme.body,
                    {f.at.x + f.label, f.at.y + 0.5f * (f.height - theme.body->FontSize)},
@@ -203,56 +211,56 @@ void toWidget(const RowFrame& f) {
   ImGui::SetCursorScreenPos({f.at.x + f.widget, f.stacked ? f.at.y + f.height : f.at.y});
 }
 
-void drawRefusal(Editor& editor, const std::string& key) {
-  const Parameters& panel = editor.parameters;
-  const bool staying = panel.numbers.wasRefused && panel.numbers.typing != 0;
+void drawRefusal(Ui& ui, const Parameters& parameters, const std::string& key) {
+  const Parameters& panel = parameters;
+  const bool staying = ui.fields.number.wasRefused && ui.fields.number.typing != 0;
   if (panel.refusedKey != key || (!staying && ImGui::GetTime() - panel.refusedAt > 8)) return;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + editor.theme.px(kSocket + kDot));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.theme.px(kSocket + kDot));
   ImGui::PushTextWrapPos();
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
-  ImGui::PushFont(editor.theme.small);
-  ImGui::TextUnformatted(panel.numbers.refusal.c_str());
+  ImGui::PushFont(ui.theme.small);
+  ImGui::TextUnformatted(ui.fields.number.refusal.c_str());
   ImGui::PopFont();
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
-  editor.trace.note("refusal", panel.numbers.refusal);
+  ui.trace.note("refusal", ui.fields.number.refusal);
 }
 
-void drawParamRow(Editor& editor, const ParamTarget& target) {
+void drawParamRow(const ParameterRoom& room, const ParamTarget& target) {
   const ParamSpec& spec = *target.spec;
-  const ParamState state = paramState(editor, target);
-  if (editor.parameters.onlyModified && !state.modified && !state.linked() && !state.exposed) return;
+  const ParamState state = paramState(room.session, room.clock, target);
+  if (room.parameters.onlyModified && !state.modified && !state.linked() && !state.exposed) return;
   ImGui::PushID(spec.id.c_str());
   const bool wide = spec.type == ParamType::Vector || spec.type == ParamType::Color;
-  const RowFrame f = rowFrame(editor, wide, nodes::constantOnly(spec.type));
-  const bool lit = editor.parameters.litParam == spec.id;
-  socketMark(editor, target, state, f, lit);
-  const bool reset = state.modified && modifiedDot(editor, target, f);
-  const bool clipped = rowLabel(editor, f, spec.label, state.modified);
+  const RowFrame f = rowFrame(room.ui.theme, wide, nodes::constantOnly(spec.type));
+  const bool lit = room.parameters.litParam == spec.id;
+  socketMark(room.ui, room.session, room.clock, target, state, f, lit);
+  const bool reset = state.modified && modifiedDot(room.ui, target, f);
+  const bool clipped = rowLabel(room.ui.theme, f, spec.label, state.modified);
   ImGui::SetCursorScreenPos(f.at);
-  keyMark(editor, target, state, f, lit);
+  keyMark(room.ui, room.session, room.clock, target, state, f, lit);
   toWidget(f);
   ImGui::BeginGroup();
   if (state.linked())
-    drawLinked(editor, target, state, f.width);
+    drawLinked(room.ui, room.session, room.shown, target, state, f.width);
   else if (state.faulty) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("unreadable in the file");
   } else {
-    drawParamWidget({editor, target, state, f.width});
+    drawParamWidget({room, target, state, f.width});
   }
   ImGui::EndGroup();
-  editor.trace.item("param/" + spec.id);
+  room.ui.trace.item("param/" + spec.id);
   const float bottom = std::max(ImGui::GetItemRectMax().y, f.at.y + f.height);
   const float right = f.at.x + ImGui::GetContentRegionMax().x;
-  const bool hovered =
-      hoverRow(editor, target, {f.at.x, f.at.y}, {right, bottom + ImGui::GetStyle().ItemSpacing.y}, clipped);
-  if (hovered) editor.parameters.nextLit = spec.id;
-  drawMenu(editor, target, state);
+  const bool hovered = hoverRow(room.ui, room.parameters, target, {f.at.x, f.at.y},
+                                {right, bottom + ImGui::GetStyle().ItemSpacing.y}, clipped);
+  if (hovered) room.parameters.nextLit = spec.id;
+  drawMenu(room, target, state);
   ImGui::SetCursorScreenPos({f.at.x, bottom + ImGui::GetStyle().ItemSpacing.y});
-  drawRefusal(editor, target.key());
+  drawRefusal(room.ui, room.parameters, target.key());
   ImGui::PopID();
-  if (reset) resetParam(editor, target);
+  if (reset) resetParam(room.ui, room.session, target);
 }
 
 }  // namespace pileus::editor

@@ -8,9 +8,12 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct ParameterRoom;
+struct Parameters;
+struct Theme;
+struct Ui;
 
-void drawParamRow(Editor& editor, const ParamTarget& target);
+void drawParamRow(const ParameterRoom& room, const ParamTarget& target);
 
 /// Where the parts of a row are.
 struct RowFrame {
@@ -20,12 +23,12 @@ struct RowFrame {
   bool stacked = false;         ///< the widget is below the label
 };
 /// `wide` widgets go below their label where the panel is narrow, those of `below` always.
-RowFrame rowFrame(const Editor& editor, bool wide, bool below = false);
+RowFrame rowFrame(const Theme& theme, bool wide, bool below = false);
 /// The label in its place; true if it does not fit.
-bool rowLabel(const Editor& editor, const RowFrame& frame, const std::string& label, bool strong);
+bool rowLabel(const Theme& theme, const RowFrame& frame, const std::string& label, bool strong);
 /// Moves to where the widget goes.
 void toWidget(const RowFrame& frame);
 /// The reason why the last text typed into the row `key` was not taken, below it.
-void drawRefusal(Editor& editor, const std::string& key);
+void drawRefusal(Ui& ui, const Parameters& parameters, const std::string& key);
 
 }  // namespace pileus::editor

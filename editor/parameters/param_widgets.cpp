@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "renderer/scene/light.h"
 
@@ -24,7 +28,7 @@ void drawNumber(const ParamWidget& w) {
   NumberField f = numberFieldOf(*w.target.spec);
   f.mixed = w.state.mixed();
   const NumberEdit edit =
-      numberField(w.editor.parameters.numbers, w.editor.theme, w.target.spec->id.c_str(), number, f, w.width);
+      numberField(w.room.ui.fields.number, w.room.ui.theme, w.target.spec->id.c_str(), number, f, w.width);
   applyNumber(w, edit, before, number, -1);
 }
 
@@ -32,7 +36,7 @@ void drawNumber(const ParamWidget& w) {
 bool drawSegments(const ParamWidget& w) {
   const std::vector<nodes::Choice>& choices = w.target.spec->choices;
   if (choices.size() > 3 || choices.empty()) return false;
-  const Theme& theme = w.editor.theme;
+  const Theme& theme = w.room.ui.theme;
   const float each =
       std::floor((w.width - static_cast<float>(choices.size() - 1)) / static_cast<float>(choices.size()));
   for (const nodes::Choice& c : choices)
@@ -45,8 +49,8 @@ bool drawSegments(const ParamWidget& w) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const bool last = i + 1 == choices.size(), on = c.id == id && !w.state.mixed();
     const float width = last ? w.width - (each + 1) * static_cast<float>(i) : each;
-    if (ImGui::InvisibleButton(c.id.c_str(), {width, height}) && !on) setParamValue(w.editor, w.target, c.id);
-    w.editor.trace.item("choice/" + c.id);
+    if (ImGui::InvisibleButton(c.id.c_str(), {width, height}) && !on) setParamValue(w.room, w.target, c.id);
+    w.room.ui.trace.item("choice/" + c.id);
     const bool hovered = ImGui::IsItemHovered();
     const ImDrawFlags corners = choices.size() == 1 ? ImDrawFlags_RoundCornersAll
                                 : i == 0            ? ImDrawFlags_RoundCornersLeft
@@ -64,7 +68,7 @@ bool drawSegments(const ParamWidget& w) {
              : hovered ? palette::kText
                        : palette::kTextDim,
              c.label, width);
-    if (hovered && !c.help.empty() && w.editor.parameters.rest.long_) tooltip(theme, c.help);
+    if (hovered && !c.help.empty() && w.room.parameters.rest.long_) tooltip(theme, c.help);
   }
   return true;
 }
@@ -76,11 +80,11 @@ void drawEnum(const ParamWidget& w) {
   for (const nodes::Choice& c : w.target.spec->choices)
     if (c.id == id && !w.state.mixed()) current = &c;
   const std::string shown = w.state.mixed() ? "\xe2\x80\x93" : current ? current->label : id;
-  if (!beginCombo(w.editor.theme, "##combo", shown, w.width)) return;
+  if (!beginCombo(w.room.ui.theme, "##combo", shown, w.width)) return;
   for (const nodes::Choice& c : w.target.spec->choices) {
-    if (ImGui::Selectable(c.label.c_str(), &c == current)) setParamValue(w.editor, w.target, c.id);
-    w.editor.trace.item("choice/" + c.id);
-    if (!c.help.empty() && ImGui::IsItemHovered()) tooltip(w.editor.theme, c.help);
+    if (ImGui::Selectable(c.label.c_str(), &c == current)) setParamValue(w.room, w.target, c.id);
+    w.room.ui.trace.item("choice/" + c.id);
+    if (!c.help.empty() && ImGui::IsItemHovered()) tooltip(w.room.ui.theme, c.help);
   }
   ImGui::EndCombo();
 }
@@ -99,20 +103,20 @@ NumberField numberFieldOf(const ParamSpec& spec) {
 }
 
 void applyNumber(const ParamWidget& w, const NumberEdit& edit, double before, double after, int axis) {
-  Editor& editor = w.editor;
+  const ParameterRoom& room = w.room;
   const ParamSpec& spec = *w.target.spec;
   if (edit.kelvin) {
     const dvec3 color = glm::round(dvec3(scene::temperatureColor(*edit.kelvin)) * 1e4) / 1e4;
-    setParamValue(editor, w.target, glm::clamp(color, dvec3(spec.hardMin), dvec3(spec.hardMax)));
+    setParamValue(room, w.target, glm::clamp(color, dvec3(spec.hardMin), dvec3(spec.hardMax)));
   } else if (edit.changed && axis < 0) {
-    setParamValue(editor, w.target,
+    setParamValue(room, w.target,
                   spec.type == ParamType::Int ? ParamValue(static_cast<int>(after)) : ParamValue(after),
                   edit.dragging);
   } else if (edit.changed) {
     // Colours and ratios move along in proportion, places by the same distance.
     const bool ratio = (spec.type == ParamType::Color || spec.logarithmic) && before != 0;
     changeParam(
-        editor, w.target,
+        room, w.target,
         [&](const ParamValue& own) -> ParamValue {
           dvec3 v = std::get<dvec3>(own);
           if (edit.gang)
@@ -126,8 +130,8 @@ void applyNumber(const ParamWidget& w, const NumberEdit& edit, double before, do
         },
         edit.dragging);
   }
-  if (edit.finished) endParamEdit(editor, w.target, edit.cancelled);
-  Parameters& panel = editor.parameters;
+  if (edit.finished) endParamEdit(room.ui, room.session, room.parameters, w.target, edit.cancelled);
+  Parameters& panel = room.parameters;
   if (edit.refused)
     panel.refusedKey = w.target.key(), panel.refusedAt = ImGui::GetTime();
   else if ((edit.changed || edit.finished) && panel.refusedKey == w.target.key())
@@ -136,7 +140,7 @@ void applyNumber(const ParamWidget& w, const NumberEdit& edit, double before, do
 
 void drawThree(const ParamWidget& w, float width) {
   const dvec3 v = std::get<dvec3>(w.state.value);
-  const float gap = w.editor.theme.px(4), each = std::floor((width - 2 * gap) / 3);
+  const float gap = w.room.ui.theme.px(4), each = std::floor((width - 2 * gap) / 3);
   const ImU32 marks[3] = {palette::kAxisX, palette::kAxisY, palette::kAxisZ};
   for (int i = 0; i < 3; ++i) {
     NumberField f = numberFieldOf(*w.target.spec);
@@ -145,18 +149,16 @@ void drawThree(const ParamWidget& w, float width) {
     f.mixed = w.state.differs[static_cast<std::size_t>(i)];
     ImGui::PushID(i);
     double number = v[i];
-    const NumberEdit edit =
-        numberField(w.editor.parameters.numbers, w.editor.theme, w.target.spec->id.c_str(), number, f,
-                    i < 2 ? each : width - 2 * (each + gap));
-    w.editor.trace.item("param/" + w.target.spec->id + "/" + std::to_string(i));
+    const NumberEdit edit = numberField(w.room.ui.fields.number, w.room.ui.theme, w.target.spec->id.c_str(),
+                                        number, f, i < 2 ? each : width - 2 * (each + gap));
+    w.room.ui.trace.item("param/" + w.target.spec->id + "/" + std::to_string(i));
     ImGui::PopID();
     if (i < 2) ImGui::SameLine(0, gap);
     applyNumber(w, edit, v[i], number, i);
   }
 }
 
-bool switchField(Editor& editor, const char* id, bool on, bool mixed) {
-  const Theme& theme = editor.theme;
+bool switchField(const Theme& theme, const char* id, bool on, bool mixed) {
   const float height = ImGui::GetFrameHeight(), h = theme.px(18), width = theme.px(34);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::InvisibleButton(id, {width, height});
@@ -179,16 +181,16 @@ bool switchField(Editor& editor, const char* id, bool on, bool mixed) {
   return clicked;
 }
 
-bool textField(Editor& editor, const std::string& key, std::string& text, float width, const char* hint,
-               const std::vector<std::string>* completeKinds) {
-  Parameters& panel = editor.parameters;
+bool textField(const Session& session, Parameters& parameters, const std::string& key, std::string& text,
+               float width, const char* hint, const std::vector<std::string>* completeKinds) {
+  Parameters& panel = parameters;
   const bool editing = panel.textKey == key;
   const std::string before = text;
   if (editing) text = panel.text;
   struct Completion {
     std::filesystem::path folder;
     const std::vector<std::string>* kinds;
-  } completion{editor.document.path().parent_path(), completeKinds};
+  } completion{session.document.path().parent_path(), completeKinds};
   const auto complete = [](ImGuiInputTextCallbackData* data) {
     const auto& c = *static_cast<Completion*>(data->UserData);
     const std::string typed(data->Buf, static_cast<std::size_t>(data->BufTextLen));
@@ -215,16 +217,17 @@ bool textField(Editor& editor, const std::string& key, std::string& text, float 
 
 void drawText(const ParamWidget& w, float width) {
   std::string text = w.state.mixed() ? "" : std::get<std::string>(w.state.value);
-  if (textField(w.editor, w.target.key(), text, width, w.state.mixed() ? "\xe2\x80\x93" : "default"))
-    setParamValue(w.editor, w.target, text);
+  if (textField(w.room.session, w.room.parameters, w.target.key(), text, width,
+                w.state.mixed() ? "\xe2\x80\x93" : "default"))
+    setParamValue(w.room, w.target, text);
 }
 
 void drawParamWidget(const ParamWidget& w) {
   switch (w.target.spec->type) {
     case ParamType::Bool: {
       const bool on = std::get<bool>(w.state.value);
-      if (switchField(w.editor, "switch", on, w.state.mixed()))
-        setParamValue(w.editor, w.target, w.state.mixed() || !on);
+      if (switchField(w.room.ui.theme, "switch", on, w.state.mixed()))
+        setParamValue(w.room, w.target, w.state.mixed() || !on);
       return;
     }
     case ParamType::Int:
@@ -235,7 +238,7 @@ void drawParamWidget(const ParamWidget& w) {
     case ParamType::Color:
       return drawColor(w);
     case ParamType::Text: {
-      const nodes::Node* node = nodes::findNode(w.editor.document.graph(), w.target.nodes.front());
+      const nodes::Node* node = nodes::findNode(w.room.session.document.graph(), w.target.nodes.front());
       const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
       return type && isGridName(*type, *w.target.spec) ? drawGridName(w) : drawText(w, w.width);
     }

@@ -7,10 +7,13 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct ParameterRoom;
+struct Parameters;
+struct Session;
+struct Theme;
 
 struct ParamWidget {
-  Editor& editor;
+  const ParameterRoom& room;
   const ParamTarget& target;
   const ParamState& state;
   float width;
@@ -34,9 +37,9 @@ void drawGridName(const ParamWidget& w);
 bool isGridName(const nodes::NodeType& type, const nodes::ParamSpec& spec);
 
 /// A text field with its state kept in Parameters; true when a new text is there.
-bool textField(Editor& editor, const std::string& key, std::string& text, float width, const char* hint,
-               const std::vector<std::string>* completeKinds = nullptr);
+bool textField(const Session& session, Parameters& parameters, const std::string& key, std::string& text,
+               float width, const char* hint, const std::vector<std::string>* completeKinds = nullptr);
 /// A toggle, drawn as a switch; true if clicked.
-bool switchField(Editor& editor, const char* id, bool on, bool mixed);
+bool switchField(const Theme& theme, const char* id, bool on, bool mixed);
 
 }  // namespace pileus::editor

@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
 #include "editor/parameters/document_rows.h"
 #include "editor/parameters/param_row.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -34,41 +39,42 @@ void separator(const Theme& theme) {
   gap(theme, 0.5f);
 }
 
-void drawName(Editor& editor, const std::string& name) {
-  Parameters& panel = editor.parameters;
+void drawName(Ui& ui, Session& session, Shown& shown, Parameters& parameters, const std::string& name) {
+  Parameters& panel = parameters;
   if (panel.nameOf != name) panel.nameOf = name, panel.nameText = name;
-  if (panel.focusName) ImGui::SetKeyboardFocusHere();
-  panel.focusName = false;
+  if (ui.fields.focusName) ImGui::SetKeyboardFocusHere();
+  ui.fields.focusName = false;
   ImGui::SetNextItemWidth(-1);
-  ImGui::PushFont(editor.theme.strong);
+  ImGui::PushFont(ui.theme.strong);
   ImGui::InputText("##name", &panel.nameText, ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopFont();
-  editor.trace.item("node name");
+  ui.trace.item("node name");
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && panel.rest.short_)
-    tooltip(editor.theme, "Name of this node (F2)");
+    tooltip(ui.theme, "Name of this node (F2)");
   if (!ImGui::IsItemDeactivated()) {
     if (!ImGui::IsItemActive()) panel.nameText = name;
     return;
   }
   if (panel.nameText != name &&
-      tryEdit(editor, nodes::renameNode(editor.document.graph(), name, panel.nameText), "Rename " + name)) {
-    std::set<std::string> selection = editor.document.selection();
+      tryEdit(session, ui.messages, nodes::renameNode(session.document.graph(), name, panel.nameText),
+              "Rename " + name)) {
+    std::set<std::string> selection = session.document.selection();
     if (selection.erase(name)) selection.insert(panel.nameText);
-    editor.document.select(std::move(selection));
-    viewsFollow(editor, name, panel.nameText);
+    session.document.select(std::move(selection));
+    viewsFollow(session, shown, name, panel.nameText);
     if (panel.pinned == name) panel.pinned = panel.nameText;
   }
   panel.nameOf.clear();
 }
 
 /// A quiet button in the header's bar; `on` keeps it lit.
-bool barButton(Editor& editor, const char* mark, const char* trace, const char* help, bool on, float x,
-               float y) {
-  const Theme& theme = editor.theme;
+bool barButton(Ui& ui, const Parameters& parameters, const char* mark, const char* trace, const char* help,
+               bool on, float x, float y) {
+  const Theme& theme = ui.theme;
   const float size = theme.px(22);
   ImGui::SetCursorScreenPos({x, y});
   const bool clicked = ImGui::InvisibleButton(trace, {size, size});
-  editor.trace.item(trace);
+  ui.trace.item(trace);
   const bool hovered = ImGui::IsItemHovered();
   if (on || hovered)
     ImGui::GetWindowDrawList()->AddRectFilled({x, y}, {x + size, y + size},
@@ -77,32 +83,33 @@ bool barButton(Editor& editor, const char* mark, const char* trace, const char* 
   drawText(ImGui::GetWindowDrawList(), theme.body,
            {x + 0.5f * (size - w), y + 0.5f * (size - theme.body->FontSize)},
            faded(palette::kTextStrong, on || hovered ? 1 : 0.65f), mark, size);
-  if (hovered && editor.parameters.rest.short_) tooltip(theme, help);
+  if (hovered && parameters.rest.short_) tooltip(theme, help);
   return clicked;
 }
 
-void drawPanelMenu(Editor& editor, const Names& names) {
+void drawPanelMenu(Ui& ui, Session& session, const Clock& clock, Parameters& parameters, const Names& names) {
   if (!ImGui::BeginPopup("panel menu")) return;
   const auto item = [&](const char* id, const char* label, const char* key, bool on = false) {
     const bool chosen = ImGui::MenuItem(label, key, on);
-    editor.trace.item(std::string("panel menu/") + id);
+    ui.trace.item(std::string("panel menu/") + id);
     return chosen;
   };
   if (item("reset", names.size() == 1 ? "Reset All Parameters" : "Reset All Parameters of These Nodes", ""))
-    resetNodes(editor, names);
-  if (item("paste", "Paste All Values of the Copied Node", "Ctrl+Shift+V")) pasteValues(editor, names);
+    resetNodes(ui, session, names);
+  if (item("paste", "Paste All Values of the Copied Node", "Ctrl+Shift+V"))
+    pasteValues(ui, session, clock, names);
   ImGui::Separator();
-  if (item("modified", "Show Only Modified", "", editor.parameters.onlyModified))
-    editor.parameters.onlyModified ^= true;
-  if (item("pin", "Pin to This Node", "", !editor.parameters.pinned.empty()))
-    editor.parameters.pinned = editor.parameters.pinned.empty() ? names.front() : "";
-  if (item("help", "Help on This Node", "F1")) openHelpPage(editor, names.front(), "");
+  if (item("modified", "Show Only Modified", "", parameters.onlyModified)) parameters.onlyModified ^= true;
+  if (item("pin", "Pin to This Node", "", !parameters.pinned.empty()))
+    parameters.pinned = parameters.pinned.empty() ? names.front() : "";
+  if (item("help", "Help on This Node", "F1")) openHelpPage(ui, session, parameters, names.front(), "");
   ImGui::EndPopup();
 }
 
-void drawBar(Editor& editor, const Names& names, const nodes::Node& node, const nodes::NodeType* type) {
-  const Theme& theme = editor.theme;
-  Parameters& panel = editor.parameters;
+void drawBar(Ui& ui, Session& session, const Clock& clock, Parameters& parameters, const Names& names,
+             const nodes::Node& node, const nodes::NodeType* type) {
+  const Theme& theme = ui.theme;
+  Parameters& panel = parameters;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, each = theme.px(24);
   const ImU32 color = type ? categoryColor(type->category) : palette::kNodeUnknown;
@@ -115,28 +122,31 @@ void drawBar(Editor& editor, const Names& names, const nodes::Node& node, const 
            type ? type->label : node.type, width - theme.px(36) - 4 * each);
   float x = at.x + width - theme.px(4) - theme.px(22);
   const float y = at.y + theme.px(3);
-  if (barButton(editor, icon::kMore, "panel/menu", "More", false, x, y)) ImGui::OpenPopup("panel menu");
-  if (type && barButton(editor, icon::kQuestion, "panel/help", "Help on this node (F1)", false, x - each, y))
-    openHelpPage(editor, names.front(), "");
-  if (barButton(editor, icon::kFilter, "panel/modified", "Show only what is modified", panel.onlyModified,
-                x - 2 * each, y))
+  if (barButton(ui, parameters, icon::kMore, "panel/menu", "More", false, x, y))
+    ImGui::OpenPopup("panel menu");
+  if (type &&
+      barButton(ui, parameters, icon::kQuestion, "panel/help", "Help on this node (F1)", false, x - each, y))
+    openHelpPage(ui, session, parameters, names.front(), "");
+  if (barButton(ui, parameters, icon::kFilter, "panel/modified", "Show only what is modified",
+                panel.onlyModified, x - 2 * each, y))
     panel.onlyModified ^= true;
   const bool pinned = !panel.pinned.empty();
   if (names.size() == 1 &&
-      barButton(editor, icon::kPin, "panel/pin",
+      barButton(ui, parameters, icon::kPin, "panel/pin",
                 pinned ? "Follow the selection again" : "Stay at this node while others are selected", pinned,
                 x - 3 * each, y))
     panel.pinned = pinned ? "" : names.front();
-  drawPanelMenu(editor, names);
+  drawPanelMenu(ui, session, clock, parameters, names);
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({width, theme.px(30)});
 }
 
-void drawHeader(Editor& editor, const Names& names, const nodes::Node& node, const nodes::NodeType* type) {
-  const Theme& theme = editor.theme;
-  drawBar(editor, names, node, type);
+void drawHeader(const ParameterRoom& room, const Names& names, const nodes::Node& node,
+                const nodes::NodeType* type) {
+  const Theme& theme = room.ui.theme;
+  drawBar(room.ui, room.session, room.clock, room.parameters, names, node, type);
   if (names.size() == 1) {
-    drawName(editor, names.front());
+    drawName(room.ui, room.session, room.shown, room.parameters, names.front());
   } else {
     ImGui::PushFont(theme.strong);
     ImGui::Text("%d nodes", static_cast<int>(names.size()));
@@ -145,7 +155,7 @@ void drawHeader(Editor& editor, const Names& names, const nodes::Node& node, con
     ImGui::PushFont(theme.small);
     wrapped(palette::kTextDim, "", "edited together");
     ImGui::PopFont();
-    editor.trace.note("edited together", std::to_string(names.size()));
+    room.ui.trace.note("edited together", std::to_string(names.size()));
   }
   if (!type)
     wrapped(
@@ -155,9 +165,8 @@ void drawHeader(Editor& editor, const Names& names, const nodes::Node& node, con
     wrapped(palette::kWarning, icon::kBan, "Bypassed: its first fitting input passes through.");
 }
 
-void drawStatus(Editor& editor, const std::string& name) {
-  const nodes::NodeStatus& status = editor.preview.evaluator().status(editor.document.scopedName(name));
-  const Theme& theme = editor.theme;
+void drawStatus(const Theme& theme, const Session& session, const Shown& shown, const std::string& name) {
+  const nodes::NodeStatus& status = shown.preview.evaluator().status(session.document.scopedName(name));
   using State = nodes::NodeState;
   const bool notes = !status.notes.empty() && status.state != State::Idle;
   if (status.state == State::Idle && status.evaluations == 0) return;
@@ -181,8 +190,8 @@ void drawStatus(Editor& editor, const std::string& name) {
 }
 
 /// Rows below the header, which stays; where they were scrolled to is kept by node.
-void beginRows(Editor& editor, const std::string& of) {
-  Parameters& panel = editor.parameters;
+void beginRows(Parameters& parameters, const std::string& of) {
+  Parameters& panel = parameters;
   ImGui::BeginChild("rows", {0, 0}, false);
   if (panel.scrollOf != of) {
     const auto it = panel.scrolls.find(of);
@@ -193,67 +202,68 @@ void beginRows(Editor& editor, const std::string& of) {
   }
 }
 
-void drawRows(Editor& editor, const Names& names, const nodes::NodeType& type) {
+void drawRows(const ParameterRoom& room, const Names& names, const nodes::NodeType& type) {
   const float top = ImGui::GetCursorPosY();
   ParamTarget target{names, nullptr};
   for (const nodes::ParamSpec& spec : type.params) {
     target.spec = &spec;
-    drawParamRow(editor, target);
+    drawParamRow(room, target);
   }
-  if (!editor.parameters.onlyModified || ImGui::GetCursorPosY() > top) return;
+  if (!room.parameters.onlyModified || ImGui::GetCursorPosY() > top) return;
   wrapped(palette::kTextDim, "", "Nothing is modified.");
-  if (ImGui::Button("Show all parameters")) editor.parameters.onlyModified = false;
-  editor.trace.item("panel/show all");
+  if (ImGui::Button("Show all parameters")) room.parameters.onlyModified = false;
+  room.ui.trace.item("panel/show all");
 }
 
-void drawNodes(Editor& editor, const Names& names) {
-  const nodes::NodePtr node = editor.document.graph().nodes.at(names.front());  // an edit replaces the graph
+void drawNodes(const ParameterRoom& room, const Names& names) {
+  const nodes::NodePtr node =
+      room.session.document.graph().nodes.at(names.front());  // an edit replaces the graph
   const nodes::NodeType* type = nodes::findNodeType(node->type);
   ImGui::PushID(names.front().c_str());
-  drawHeader(editor, names, *node, type);
+  drawHeader(room, names, *node, type);
   ImGui::PopID();
-  gap(editor.theme, 0.5f);
-  beginRows(editor, names.front());
+  gap(room.ui.theme, 0.5f);
+  beginRows(room.parameters, names.front());
   ImGui::PushID(names.front().c_str());
-  if (type) drawRows(editor, names, *type);
-  if (names.size() == 1) drawStatus(editor, names.front());
+  if (type) drawRows(room, names, *type);
+  if (names.size() == 1) drawStatus(room.ui.theme, room.session, room.shown, names.front());
   ImGui::PopID();
   ImGui::EndChild();
 }
 
-void drawDocument(Editor& editor) {
-  ImGui::PushFont(editor.theme.title);
+void drawDocument(const ParameterRoom& room) {
+  ImGui::PushFont(room.ui.theme.title);
   ImGui::TextUnformatted("Document");
   ImGui::PopFont();
   wrapped(palette::kTextDim, "", "Select a node to see its parameters.");
-  separator(editor.theme);
-  beginRows(editor, "");
-  drawDocumentRows(editor);
+  separator(room.ui.theme);
+  beginRows(room.parameters, "");
+  drawDocumentRows(room);
   ImGui::EndChild();
 }
 
 /// Nodes of several types: a list to choose from.
-void drawMany(Editor& editor) {
-  const std::set<std::string> names = editor.document.selection();
-  ImGui::PushFont(editor.theme.title);
+void drawMany(Ui& ui, Session& session) {
+  const std::set<std::string> names = session.document.selection();
+  ImGui::PushFont(ui.theme.title);
   ImGui::Text("%d nodes", static_cast<int>(names.size()));
   ImGui::PopFont();
   wrapped(palette::kTextDim, "", "Nodes of one type are edited together. Choose one to see its parameters.");
-  separator(editor.theme);
+  separator(ui.theme);
   for (const std::string& name : names) {
-    if (ImGui::Selectable(name.c_str())) editor.document.select({name});
-    editor.trace.item("choose/" + name);
+    if (ImGui::Selectable(name.c_str())) session.document.select({name});
+    ui.trace.item("choose/" + name);
   }
 }
 
 }  // namespace
 
-Names shownNodes(const Editor& editor) {
-  const nodes::Graph& graph = editor.document.graph();
-  const Parameters& panel = editor.parameters;
+Names shownNodes(const Session& session, const Parameters& parameters) {
+  const nodes::Graph& graph = session.document.graph();
+  const Parameters& panel = parameters;
   if (!panel.pinned.empty() && graph.nodes.contains(panel.pinned)) return {panel.pinned};
   Names names;
-  for (const std::string& name : editor.document.selection()) {
+  for (const std::string& name : session.document.selection()) {
     const nodes::Node* node = nodes::findNode(graph, name);
     if (!node) continue;
     if (!names.empty() && node->type != graph.nodes.at(names.front())->type) return {};
@@ -262,48 +272,45 @@ Names shownNodes(const Editor& editor) {
   return names;
 }
 
-bool keysAreTaken(const Parameters& panel) {
-  return panel.numbers.typing || (panel.numbers.active && panel.numbers.moved) || panel.eyedropper.target ||
-         panel.points.dragging;
+bool keysAreTaken(const Fields& fields, const Parameters& panel) {
+  return fields.busy() || panel.eyedropper.target || panel.points.dragging;
 }
 
-bool onHoveredParam(Editor& editor, void (*run)(Editor&, const ParamTarget&)) {
-  if (editor.hovered != Panel::Parameters || !editor.parameters.hovered) return false;
-  const ParamTarget target = *editor.parameters.hovered;
-  run(editor, target);
-  return true;
+const ParamTarget* hoveredParam(const FrameState& now, const Parameters& panel) {
+  return now.hovered == Panel::Parameters && panel.hovered ? &*panel.hovered : nullptr;
 }
 
-void drawParameters(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
-  Parameters& panel = editor.parameters;
+void drawParameters(const ParameterRoom& room, ImVec2 min, ImVec2 max) {
+  const Theme& theme = room.ui.theme;
+  Parameters& panel = room.parameters;
   panel.min = min;
   panel.hovered.reset();
   if (panel.points.dragging && !ImGui::IsMouseDown(0) && !ImGui::IsMouseReleased(0)) {
     panel.points.dragging = false;  // its widget went away
-    editor.document.endMerge();
+    room.session.document.endMerge();
   }
   if (!ImGui::IsMouseDown(1) && !ImGui::IsMouseReleased(1)) panel.points.removing = false;
   panel.litParam = std::exchange(panel.nextLit, {});
-  if (!panel.pinned.empty() && !editor.document.graph().nodes.contains(panel.pinned)) panel.pinned.clear();
+  if (!panel.pinned.empty() && !room.session.document.graph().nodes.contains(panel.pinned))
+    panel.pinned.clear();
   updateRest(panel.rest, min, max);
-  updateDisplayColors(editor);
+  updateDisplayColors(room.shown, room.parameters);
   const ImVec2 pad = {theme.space(3), theme.space(3)};
   ImGui::SetCursorScreenPos({min.x + pad.x, min.y + pad.y});
   ImGui::BeginChild("parameters", {max.x - min.x - 1.5f * pad.x, max.y - min.y - 1.5f * pad.y}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  const Names names = shownNodes(editor);
+  const Names names = shownNodes(room.session, room.parameters);
   if (!names.empty())
-    drawNodes(editor, names);
-  else if (editor.document.selection().empty())
-    drawDocument(editor);
+    drawNodes(room, names);
+  else if (room.session.document.selection().empty())
+    drawDocument(room);
   else
-    drawMany(editor);
+    drawMany(room.ui, room.session);
   ImGui::EndChild();
-  drawHelpPage(editor);
-  drawEyedropper(editor);
-  editor.trace.rect("parameters", min, max);
-  if (panel.hovered) editor.trace.note("hovered param", panel.hovered->key());
+  drawHelpPage(room.ui, room.parameters);
+  drawEyedropper(room);
+  room.ui.trace.rect("parameters", min, max);
+  if (panel.hovered) room.ui.trace.note("hovered param", panel.hovered->key());
 }
 
 }  // namespace pileus::editor

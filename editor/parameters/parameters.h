@@ -9,25 +9,26 @@
 #include <vector>
 
 #include "editor/parameters/color_picker.h"
+#include "editor/parameters/display_color.h"
 #include "editor/parameters/eyedropper.h"
 #include "editor/parameters/file_state.h"
 #include "editor/parameters/grid_names.h"
 #include "editor/parameters/param_edit.h"
 #include "editor/parameters/param_help.h"
-#include "editor/picture/display_color.h"
 #include "editor/toolkit/number_field.h"
 #include "editor/toolkit/point_edit.h"
 #include "editor/toolkit/pointer_rest.h"
 
 namespace pileus::editor {
 
-struct Editor;
+struct ParameterRoom;
+struct Session;
+struct Fields;
+struct FrameState;
 
 struct Parameters {
-  NumberFieldState numbers;
   std::string refusedKey;        ///< "Node.param" whose last typed value was refused (numbers.refusal)
   double refusedAt = -1e9;       ///< ImGui time of that
-  bool focusName = false;        ///< put the keyboard into the name field at the next drawing
   std::string nameOf, nameText;  ///< the name being edited
   std::string textKey, text;     ///< the text parameter being edited ("Node.param") and its state
 
@@ -51,13 +52,13 @@ struct Parameters {
   HelpPage help;
 };
 
-void drawParameters(Editor& editor, ImVec2 min, ImVec2 max);
+void drawParameters(const ParameterRoom& room, ImVec2 min, ImVec2 max);
 /// What the panel shows: the pinned node, or the selection if it is of one type; else nothing.
-std::vector<std::string> shownNodes(const Editor& editor);
+std::vector<std::string> shownNodes(const Session& session, const Parameters& parameters);
 
 /// Is something going on in the panel that Esc and letters belong to?
-bool keysAreTaken(const Parameters& panel);
-/// For keys: on the row under the pointer. False: there is none.
-bool onHoveredParam(Editor& editor, void (*run)(Editor&, const ParamTarget&));
+bool keysAreTaken(const Fields& fields, const Parameters& panel);
+/// For keys: the row under the pointer, where that is in the panel; null: there is none.
+const ParamTarget* hoveredParam(const FrameState& now, const Parameters& panel);
 
 }  // namespace pileus::editor

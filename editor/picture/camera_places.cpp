@@ -4,23 +4,26 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/gizmo_math.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
-#include "editor/viewport/handles/gizmo_math.h"
+#include "editor/preferences/settings.h"
 
 namespace pileus::editor {
 namespace {
 
 constexpr std::size_t kFiles = 50;
 
-const CameraPlaces* placesOf(const Editor& editor) {
-  for (const CameraPlaces& p : editor.settings.view.cameras)
-    if (p.path == editor.document.path().string()) return &p;
+const CameraPlaces* placesOf(const Session& session, const Settings& settings) {
+  for (const CameraPlaces& p : settings.view.cameras)
+    if (p.path == session.document.path().string()) return &p;
   return nullptr;
 }
 
-const nodes::SocketSpec* cameraInput(const Editor& editor, const std::string& user) {
-  const nodes::Node* node = nodes::findNode(editor.document.root(), user);
+const nodes::SocketSpec* cameraInput(const Session& session, const std::string& user) {
+  const nodes::Node* node = nodes::findNode(session.document.root(), user);
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   if (type)
     for (const nodes::SocketSpec& s : type->inputs)
@@ -30,34 +33,35 @@ const nodes::SocketSpec* cameraInput(const Editor& editor, const std::string& us
 
 }  // namespace
 
-void saveCameraPlace(Editor& editor, int number) {
-  std::vector<CameraPlaces>& all = editor.settings.view.cameras;
-  CameraPlaces ours{editor.document.path().string(), {}};
-  if (const CameraPlaces* known = placesOf(editor)) ours = *known;
+void saveCameraPlace(Messages& messages, const Session& session, const Clock& clock, const Shown& shown,
+                     Settings& settings, int number) {
+  std::vector<CameraPlaces>& all = settings.view.cameras;
+  CameraPlaces ours{session.document.path().string(), {}};
+  if (const CameraPlaces* known = placesOf(session, settings)) ours = *known;
   std::erase_if(all, [&](const CameraPlaces& p) { return p.path == ours.path; });
-  ours.places.at(static_cast<std::size_t>(number - 1)) = currentCamera(editor);
+  ours.places.at(static_cast<std::size_t>(number - 1)) = currentCamera(session, clock, shown);
   all.insert(all.begin(), std::move(ours));
   if (all.size() > kFiles) all.resize(kFiles);
-  editor.messages.note(
-      fmt::format("Camera {} saved: Ctrl+{} over the viewport comes back here", number, number));
+  messages.note(fmt::format("Camera {} saved: Ctrl+{} over the viewport comes back here", number, number));
 }
 
-bool hasCameraPlace(const Editor& editor, int number) {
-  const CameraPlaces* ours = placesOf(editor);
+bool hasCameraPlace(const Session& session, const Settings& settings, int number) {
+  const CameraPlaces* ours = placesOf(session, settings);
   return ours && ours->places.at(static_cast<std::size_t>(number - 1));
 }
 
-void goToCameraPlace(Editor& editor, int number) {
-  if (!hasCameraPlace(editor, number))
-    return editor.messages.hint(
+void goToCameraPlace(Messages& messages, Session& session, Clock& clock, Shown& shown,
+                     const Settings& settings, int number) {
+  if (!hasCameraPlace(session, settings, number))
+    return messages.hint(
         fmt::format("Camera {} is free: Ctrl+Shift+{} over the viewport saves this view.", number, number));
-  scene::Camera camera = *placesOf(editor)->places.at(static_cast<std::size_t>(number - 1));
-  setCamera(editor, camera, fmt::format("Go to camera {}", number), {});
+  scene::Camera camera = *placesOf(session, settings)->places.at(static_cast<std::size_t>(number - 1));
+  setCamera(messages, session, clock, shown, camera, fmt::format("Go to camera {}", number), {});
 }
 
-void cameraPlacesFollow(Editor& editor, const std::string& from, const std::string& to) {
+void cameraPlacesFollow(Settings& settings, const std::string& from, const std::string& to) {
   if (from == to) return;
-  std::vector<CameraPlaces>& all = editor.settings.view.cameras;
+  std::vector<CameraPlaces>& all = settings.view.cameras;
   std::optional<CameraPlaces> ours;
   for (const CameraPlaces& p : all)
     if (p.path == from) ours = p;
@@ -67,14 +71,16 @@ void cameraPlacesFollow(Editor& editor, const std::string& from, const std::stri
   all.insert(all.begin(), std::move(*ours));
 }
 
-bool hasLinkedCamera(const Editor& editor) { return !linkedCamera(editor, shownView(editor)).empty(); }
+bool hasLinkedCamera(const Session& session, const Shown& shown) {
+  return !linkedCamera(session, shownView(session, shown)).empty();
+}
 
-void cameraFromView(Editor& editor) {
-  const std::string user = cameraUser(editor, shownView(editor));
-  const nodes::SocketSpec* input = cameraInput(editor, user);
-  if (!input) return editor.messages.hint("Nothing that is shown takes a camera.");
-  const scene::Camera camera = currentCamera(editor);
-  const nodes::Graph& before = editor.document.root();
+void cameraFromView(Messages& messages, Session& session, const Clock& clock, const Shown& shown) {
+  const std::string user = cameraUser(session, shownView(session, shown));
+  const nodes::SocketSpec* input = cameraInput(session, user);
+  if (!input) return messages.hint("Nothing that is shown takes a camera.");
+  const scene::Camera camera = currentCamera(session, clock, shown);
+  const nodes::Graph& before = session.document.root();
   const double scale = glm::length(camera.eye - camera.target);
   const std::string name = nodes::freeName(before, "Camera");
   Result<nodes::Graph> graph = nodes::addNode(before, "camera.perspective",
@@ -84,20 +90,21 @@ void cameraFromView(Editor& editor) {
   if (graph) graph = nodes::setParam(*graph, name, "up", camera.up);
   if (graph) graph = nodes::setParam(*graph, name, "fov", tidy(camera.fov, 100));
   if (graph) graph = nodes::connect(*graph, {name, "camera", user, input->id});
-  if (tryEditRoot(editor, std::move(graph), "Camera from view") && editor.document.scope().empty())
-    editor.document.select({name});
+  if (tryEditRoot(session, messages, std::move(graph), "Camera from view") &&
+      session.document.scope().empty())
+    session.document.select({name});
 }
 
-void unlinkCamera(Editor& editor) {
-  const std::string user = cameraUser(editor, shownView(editor));
-  const nodes::SocketSpec* input = cameraInput(editor, user);
+void unlinkCamera(Messages& messages, Session& session, const Clock& clock, Shown& shown) {
+  const std::string user = cameraUser(session, shownView(session, shown));
+  const nodes::SocketSpec* input = cameraInput(session, user);
   if (!input) return;
   // The view stays where it is.
-  editor.viewport.freeCamera = currentCamera(editor);
-  nodes::Graph graph = editor.document.root();
+  shown.freeCamera = currentCamera(session, clock, shown);
+  nodes::Graph graph = session.document.root();
   std::erase_if(graph.links,
                 [&](const nodes::Link& l) { return l.toNode == user && l.toSocket == input->id; });
-  tryEditRoot(editor, std::move(graph), "Unlink camera");
+  tryEditRoot(session, messages, std::move(graph), "Unlink camera");
 }
 
 }  // namespace pileus::editor

@@ -1,9 +1,9 @@
 #include "editor/picture/compare_mode.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "editor/app/editor.h"
 
 namespace pileus::editor {
 namespace {
@@ -17,10 +17,10 @@ bool whole(const view::ComparePass* pass, CompareOf of) {
   return pass && (of == CompareOf::Radiance ? pass->pictureWhole() : pass->shadowWhole());
 }
 
-view::RenderScene reduced(const Editor& editor, const view::RenderScene& scene) {
+view::RenderScene reduced(const Shown& shown, const view::RenderScene& scene) {
   view::RenderScene out = scene;
   const double pixels = static_cast<double>(scene.options.size.x) * scene.options.size.y;
-  const int by = editor.renderer->device().software
+  const int by = shown.renderer.device().software
                      ? std::max(2, static_cast<int>(std::lround(std::sqrt(pixels / kCoarsePixels))))
                      : 2;
   out.options.size = glm::max(scene.options.size / by, ivec2(1));
@@ -44,11 +44,11 @@ double niceAbove(double value) {
   return 10 * decade;
 }
 
-void toggleLayout(Editor& editor, CompareLayout layout) {
-  CompareMode& mode = editor.compare;
-  if (mode.on && mode.layout == layout) return toggleCompare(editor);
+void toggleLayout(Messages& messages, Shown& shown, CompareLayout layout) {
+  CompareMode& mode = shown.compare;
+  if (mode.on && mode.layout == layout) return toggleCompare(messages, shown);
   mode.layout = layout;
-  if (!mode.on) toggleCompare(editor);
+  if (!mode.on) toggleCompare(messages, shown);
 }
 
 bool hasShadow(const view::RenderScene& scene) {
@@ -68,38 +68,38 @@ const view::ComparePass* CompareMode::measured() const {
   return coarse && coarse->pictureWhole() ? coarse.get() : nullptr;
 }
 
-void followPicture(Editor& editor) {
-  CompareMode& mode = editor.compare;
-  const auto& picture = editor.preview.picture();
+void followPicture(Shown& shown) {
+  CompareMode& mode = shown.compare;
+  const auto& picture = shown.preview.picture();
   if (!mode.on || !picture || !picture->scene) return forget(mode);
   // A draft has maps of its own, which say nothing about the final ones.
-  if (editor.preview.draft() || picture->scene == mode.scene) return;
+  if (shown.preview.draft() || picture->scene == mode.scene) return;
   forget(mode);
   mode.scene = picture->scene;
   if (!hasShadow(*mode.scene)) {
     mode.error = "No light of this picture has a shadow to compare.";
     return;
   }
-  mode.coarse = std::make_unique<view::ComparePass>(reduced(editor, *mode.scene));
+  mode.coarse = std::make_unique<view::ComparePass>(reduced(shown, *mode.scene));
 }
 
-bool compareWantsFrame(const Editor& editor) {
-  const CompareMode& mode = editor.compare;
-  if (!mode.on || !mode.error.empty() || !mode.coarse || editor.preview.draft() || editor.preview.paused())
+bool compareWantsFrame(const Shown& shown) {
+  const CompareMode& mode = shown.compare;
+  if (!mode.on || !mode.error.empty() || !mode.coarse || shown.preview.draft() || shown.preview.paused())
     return false;
   if (mode.coarse->fraction() < 1) return true;
-  return editor.preview.settled() && (!mode.fine || mode.fine->fraction() < 1);
+  return shown.preview.settled() && (!mode.fine || mode.fine->fraction() < 1);
 }
 
-void stepCompare(Editor& editor, double ms) {
-  CompareMode& mode = editor.compare;
-  if (!compareWantsFrame(editor)) return;
+void stepCompare(Messages& messages, Shown& shown, double ms) {
+  CompareMode& mode = shown.compare;
+  if (!compareWantsFrame(shown)) return;
   const bool small = mode.coarse->fraction() < 1;
   if (!small && !mode.fine) mode.fine = std::make_unique<view::ComparePass>(*mode.scene);
   view::ComparePass& pass = small ? *mode.coarse : *mode.fine;
-  if (const Result<double> done = pass.step(editor.renderer->gpu(), ms); !done) {
+  if (const Result<double> done = pass.step(shown.renderer.gpu(), ms); !done) {
     mode.error = done.error().message;
-    editor.messages.error("Cannot compare: " + mode.error);
+    messages.error("Cannot compare: " + mode.error);
     return;
   }
   if (mode.autoScale)
@@ -112,12 +112,12 @@ double compareFraction(const CompareMode& mode) {
   return 0.1 * mode.coarse->fraction() + 0.9 * (mode.fine ? mode.fine->fraction() : 0);
 }
 
-void toggleCompare(Editor& editor) {
-  editor.compare.on = !editor.compare.on;
-  editor.messages.note(editor.compare.on ? "Comparing with marched shadows" : "Comparison ended");
+void toggleCompare(Messages& messages, Shown& shown) {
+  shown.compare.on = !shown.compare.on;
+  messages.note(shown.compare.on ? "Comparing with marched shadows" : "Comparison ended");
 }
 
-void toggleWipe(Editor& editor) { toggleLayout(editor, CompareLayout::Wipe); }
-void toggleError(Editor& editor) { toggleLayout(editor, CompareLayout::Error); }
+void toggleWipe(Messages& messages, Shown& shown) { toggleLayout(messages, shown, CompareLayout::Wipe); }
+void toggleError(Messages& messages, Shown& shown) { toggleLayout(messages, shown, CompareLayout::Error); }
 
 }  // namespace pileus::editor

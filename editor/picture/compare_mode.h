@@ -11,7 +11,8 @@
 
 namespace pileus::editor {
 
-struct Editor;
+class Messages;
+struct Shown;
 
 /// How the two sides are laid out.
 enum class CompareLayout { Wipe, SideBySide, Error };
@@ -60,17 +61,17 @@ struct CompareMode {
 
 /// Follows the picture: starts over when it shows something else, drops everything where there is nothing to
 /// compare or the mode is off. Call once a frame.
-void followPicture(Editor& editor);
+void followPicture(Shown& shown);
 /// Is there work that can be done now?
-bool compareWantsFrame(const Editor& editor);
+bool compareWantsFrame(const Shown& shown);
 /// About `ms` milliseconds of it.
-void stepCompare(Editor& editor, double ms);
+void stepCompare(Messages& messages, Shown& shown, double ms);
 /// 0..1 of the final comparison.
 double compareFraction(const CompareMode& mode);
 
-void toggleCompare(Editor& editor);
+void toggleCompare(Messages& messages, Shown& shown);
 /// Into that layout, and out of compare mode from there.
-void toggleWipe(Editor& editor);
-void toggleError(Editor& editor);
+void toggleWipe(Messages& messages, Shown& shown);
+void toggleError(Messages& messages, Shown& shown);
 
 }  // namespace pileus::editor

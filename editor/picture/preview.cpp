@@ -53,6 +53,8 @@ void Preview::begin(const PreviewRequest& wanted, bool draft) {
 void Preview::step(const PreviewRequest& wanted) {
   const Stopwatch clock;
   const bool changed = fresh_ || !sameRequest(wanted, current_);
+  if (frame_ && *frame_ != wanted.frame) touch();
+  frame_ = wanted.frame;
   if (touched_ && !interacting()) touched_ = false;
   if (changed) {
     paused_ = false;

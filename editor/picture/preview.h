@@ -87,6 +87,7 @@ class Preview {
   int draftPixels_ = 0, draftTexels_ = 0;             ///< of the current draft
   double stepsMs_ = 0;                                ///< of all its steps
   std::map<std::string, std::uint64_t> evaluations_;  ///< of each node when it began
+  std::optional<int> frame_;  ///< wanted last: another one is like something that is dragged
   bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;
   bool currentIsDraft_ = false, fresh_ = true;
   bool fast_ = false;  ///< the last final picture took less than one budget: no drafts are needed

@@ -5,9 +5,12 @@
 #include <deque>
 #include <set>
 
-#include "editor/app/editor.h"
-#include "editor/picture/shadow_place.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/light_view.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/viewed_node.h"
+#include "editor/time/clock.h"
 #include "editor/time/playback.h"
 #include "nodes/graph/graph_animation.h"
 
@@ -28,55 +31,56 @@ const nodes::SocketSpec* socketOfType(const nodes::NodeType& type, nodes::Socket
   return nullptr;
 }
 
-Box3 volumeBounds(const Editor& editor, const std::string& user) {
+Box3 volumeBounds(const Session& session, const Shown& shown, const std::string& user) {
   Box3 box;
-  const nodes::Graph& graph = editor.document.root();
+  const nodes::Graph& graph = session.document.root();
   const nodes::Node* node = nodes::findNode(graph, user);
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::SocketSpec* volumes = type ? socketOfType(*type, nodes::SocketType::Volume) : nullptr;
   if (!volumes) return box;
   for (const nodes::Link& link : graph.links) {
     if (link.toNode != user || link.toSocket != volumes->id || link.muted) continue;
-    const nodes::SocketValue* value = editor.preview.evaluator().output(link.fromNode, link.fromSocket);
+    const nodes::SocketValue* value = shown.preview.evaluator().output(link.fromNode, link.fromSocket);
     if (const auto* v = value ? std::get_if<nodes::VolumeValue>(value) : nullptr)
       box.extend(volume::worldBounds(v->items));
   }
   return box;
 }
 
-double aspect(const Editor& editor) {
-  const ivec2 size = editor.document.root().settings.size;
+double aspect(const Session& session) {
+  const ivec2 size = session.document.root().settings.size;
   return size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
 }
 
-void setExposure(Editor& editor, double stops) {
-  const std::string view = displayNode(editor);
+void setExposure(Messages& messages, Session& session, const Clock& clock, const Shown& shown, double stops) {
+  const std::string view = displayNode(session, shown);
   if (!view.empty())
-    tryEditRoot(editor, nodes::setParamAt(editor.document.root(), view, "exposure", stops, editor.frame),
-                "Exposure", "exposure keys");
+    tryEditRoot(session, messages,
+                nodes::setParamAt(session.document.root(), view, "exposure", stops, clock.frame), "Exposure",
+                "exposure keys");
 }
 
-double exposure(const Editor& editor) {
-  const nodes::Node* node = nodes::findNode(editor.document.root(), displayNode(editor));
+double exposure(const Session& session, const Clock& clock, const Shown& shown) {
+  const nodes::Node* node = nodes::findNode(session.document.root(), displayNode(session, shown));
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::ParamSpec* spec = type ? type->param("exposure") : nullptr;
   const nodes::ParamValue value =
-      spec ? nodes::paramValue(*node, *spec, editor.frame) : nodes::ParamValue(0.0);
+      spec ? nodes::paramValue(*node, *spec, clock.frame) : nodes::ParamValue(0.0);
   return std::get_if<double>(&value) ? std::get<double>(value) : 0.0;
 }
 
 }  // namespace
 
-std::string shownView(const Editor& editor) {
-  const nodes::Graph& graph = editor.document.root();
-  return viewable(graph, editor.viewport.activeView) ? editor.viewport.activeView : firstView(graph);
+std::string shownView(const Session& session, const Shown& shown) {
+  const nodes::Graph& graph = session.document.root();
+  return viewable(graph, shown.activeView) ? shown.activeView : firstView(graph);
 }
 
-std::string displayNode(const Editor& editor) {
-  const nodes::Graph& graph = editor.document.root();
-  const std::string shown = shownView(editor);
-  std::deque<std::string> open{shown};
-  std::set<std::string> seen{shown};
+std::string displayNode(const Session& session, const Shown& shown) {
+  const nodes::Graph& graph = session.document.root();
+  const std::string seenNode = shownView(session, shown);
+  std::deque<std::string> open{seenNode};
+  std::set<std::string> seen{seenNode};
   for (; !open.empty(); open.pop_front()) {
     const nodes::Node* node = nodes::findNode(graph, open.front());
     if (node && node->type == kViewType) return open.front();
@@ -84,13 +88,14 @@ std::string displayNode(const Editor& editor) {
       if (!link.muted && link.fromNode == open.front() && seen.insert(link.toNode).second)
         open.push_back(link.toNode);
   }
-  const nodes::NodeType* type =
-      nodes::findNode(graph, shown) ? nodes::findNodeType(nodes::findNode(graph, shown)->type) : nullptr;
-  return type && type->isOutput ? shown : firstView(graph);
+  const nodes::NodeType* type = nodes::findNode(graph, seenNode)
+                                    ? nodes::findNodeType(nodes::findNode(graph, seenNode)->type)
+                                    : nullptr;
+  return type && type->isOutput ? seenNode : firstView(graph);
 }
 
-std::string cameraUser(const Editor& editor, const std::string& view) {
-  const nodes::Graph& graph = editor.document.root();
+std::string cameraUser(const Session& session, const std::string& view) {
+  const nodes::Graph& graph = session.document.root();
   std::deque<std::string> queue{view};
   std::set<std::string> seen;
   while (!queue.empty()) {
@@ -106,9 +111,9 @@ std::string cameraUser(const Editor& editor, const std::string& view) {
   return {};
 }
 
-std::string linkedCamera(const Editor& editor, const std::string& view) {
-  const std::string user = cameraUser(editor, view);
-  const nodes::Graph& graph = editor.document.root();
+std::string linkedCamera(const Session& session, const std::string& view) {
+  const std::string user = cameraUser(session, view);
+  const nodes::Graph& graph = session.document.root();
   for (const nodes::Link& link : graph.links) {
     if (link.toNode != user || link.muted) continue;
     const nodes::Node* source = nodes::findNode(graph, link.fromNode);
@@ -121,19 +126,19 @@ std::string linkedCamera(const Editor& editor, const std::string& view) {
   return {};
 }
 
-scene::Camera currentCamera(const Editor& editor) {
-  if (const auto light = lightViewCamera(editor)) return *light;
-  const std::string view = shownView(editor), name = linkedCamera(editor, view);
+scene::Camera currentCamera(const Session& session, const Clock& clock, const Shown& shown) {
+  if (const auto light = lightViewCamera(session, clock, shown)) return *light;
+  const std::string view = shownView(session, shown), name = linkedCamera(session, view);
   if (name.empty()) {
-    if (editor.viewport.freeCamera) return *editor.viewport.freeCamera;
-    return scene::frameBounds(volumeBounds(editor, cameraUser(editor, view)), aspect(editor));
+    if (shown.freeCamera) return *shown.freeCamera;
+    return scene::frameBounds(volumeBounds(session, shown, cameraUser(session, view)), aspect(session));
   }
-  const nodes::Node& node = *nodes::findNode(editor.document.root(), name);
+  const nodes::Node& node = *nodes::findNode(session.document.root(), name);
   const nodes::NodeType& type = *nodes::findNodeType(node.type);
   scene::Camera camera;
   const auto vector = [&](const char* id, dvec3& out) {
     if (const nodes::ParamSpec* spec = type.param(id)) {
-      const nodes::ParamValue value = nodes::paramValue(node, *spec, editor.frame);
+      const nodes::ParamValue value = nodes::paramValue(node, *spec, clock.frame);
       if (const dvec3* v = std::get_if<dvec3>(&value)) out = *v;
     }
   };
@@ -141,46 +146,54 @@ scene::Camera currentCamera(const Editor& editor) {
   vector("target", camera.target);
   vector("up", camera.up);
   if (const nodes::ParamSpec* spec = type.param("fov")) {
-    const nodes::ParamValue value = nodes::paramValue(node, *spec, editor.frame);
+    const nodes::ParamValue value = nodes::paramValue(node, *spec, clock.frame);
     if (const double* v = std::get_if<double>(&value)) camera.fov = *v;
   }
   return camera;
 }
 
-void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label,
-               const std::string& mergeKey) {
-  const std::string name = linkedCamera(editor, shownView(editor));
-  editor.preview.touch();
-  if (lightViewCamera(editor)) return moveLightView(editor, camera, mergeKey);
+void setCamera(Messages& messages, Session& session, Clock& clock, Shown& shown, const scene::Camera& camera,
+               const std::string& label, const std::string& mergeKey) {
+  const std::string name = linkedCamera(session, shownView(session, shown));
+  shown.preview.touch();
+  if (lightViewCamera(session, clock, shown))
+    return moveLightView(messages, session, clock, shown, camera, mergeKey);
   if (name.empty()) {
-    editor.viewport.freeCamera = camera;
+    shown.freeCamera = camera;
     return;
   }
   const double scale = glm::length(camera.eye - camera.target);
-  const scene::Camera now = currentCamera(editor);
-  holdFrame(editor, *nodes::findNode(editor.document.root(), name));
-  Result<nodes::Graph> graph = editor.document.root();
+  const scene::Camera now = currentCamera(session, clock, shown);
+  holdFrame(clock, *nodes::findNode(session.document.root(), name));
+  Result<nodes::Graph> graph = session.document.root();
   // What stays as it is, but for rounding, gets no key.
   const auto moved = [&](const dvec3& a, const dvec3& b) { return glm::length(a - b) > 1e-9 * scale; };
   const auto set = [&](const char* id, const nodes::ParamValue& value, bool changed) {
-    if (graph && changed) graph = nodes::setParamAt(*graph, name, id, value, editor.frame);
+    if (graph && changed) graph = nodes::setParamAt(*graph, name, id, value, clock.frame);
   };
   set("eye", tidy(camera.eye, scale), moved(camera.eye, now.eye));
   set("target", tidy(camera.target, scale), moved(camera.target, now.target));
   // A place that was saved has an angle of its own.
   set("fov", camera.fov, camera.fov != now.fov);
   set("up", camera.up, camera.up != now.up);
-  tryEditRoot(editor, std::move(graph), label, mergeKey);
+  tryEditRoot(session, messages, std::move(graph), label, mergeKey);
 }
 
-void frameVolumes(Editor& editor) {
-  const std::string user = cameraUser(editor, shownView(editor));
-  const Box3 box = volumeBounds(editor, user);
-  if (box.empty()) return editor.messages.hint("There is no volume to frame yet.");
-  setCamera(editor, scene::frameBounds(box, aspect(editor), currentCamera(editor)), "Frame volumes", {});
+void frameVolumes(Messages& messages, Session& session, Clock& clock, Shown& shown) {
+  const std::string user = cameraUser(session, shownView(session, shown));
+  const Box3 box = volumeBounds(session, shown, user);
+  if (box.empty()) return messages.hint("There is no volume to frame yet.");
+  setCamera(messages, session, clock, shown,
+            scene::frameBounds(box, aspect(session), currentCamera(session, clock, shown)), "Frame volumes",
+            {});
 }
 
-void changeExposure(Editor& editor, double stops) { setExposure(editor, exposure(editor) + stops); }
-void resetExposure(Editor& editor) { setExposure(editor, 0); }
+void changeExposure(Messages& messages, Session& session, const Clock& clock, const Shown& shown,
+                    double stops) {
+  setExposure(messages, session, clock, shown, exposure(session, clock, shown) + stops);
+}
+void resetExposure(Messages& messages, Session& session, const Clock& clock, const Shown& shown) {
+  setExposure(messages, session, clock, shown, 0);
+}
 
 }  // namespace pileus::editor

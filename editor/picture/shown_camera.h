@@ -7,27 +7,31 @@
 
 namespace pileus::editor {
 
-struct Editor;
+class Messages;
+struct Clock;
+struct Session;
+struct Shown;
 
 /// The node on show: the chosen one if it still exists and has a picture, else the first view output; "" =
 /// none.
-std::string shownView(const Editor& editor);
+std::string shownView(const Session& session, const Shown& shown);
 /// The view output whose display and exposure count: the shown one, else the nearest downstream of the shown
 /// node, else the first; "" = none.
-std::string displayNode(const Editor& editor);
+std::string displayNode(const Session& session, const Shown& shown);
 /// The node whose picture the view shows (nearest upstream with a camera input); "" = none.
-std::string cameraUser(const Editor& editor, const std::string& view);
+std::string cameraUser(const Session& session, const std::string& view);
 /// The camera node linked to it; "" = none: the free camera.
-std::string linkedCamera(const Editor& editor, const std::string& view);
+std::string linkedCamera(const Session& session, const std::string& view);
 /// The camera the picture is made with now.
-scene::Camera currentCamera(const Editor& editor);
+scene::Camera currentCamera(const Session& session, const Clock& clock, const Shown& shown);
 /// Edits the linked camera node (steps with one mergeKey become one undo step) or sets the free camera.
-void setCamera(Editor& editor, const scene::Camera& camera, const std::string& label,
-               const std::string& mergeKey);
+void setCamera(Messages& messages, Session& session, Clock& clock, Shown& shown, const scene::Camera& camera,
+               const std::string& label, const std::string& mergeKey);
 
 // Actions.
-void frameVolumes(Editor& editor);
-void changeExposure(Editor& editor, double stops);
-void resetExposure(Editor& editor);
+void frameVolumes(Messages& messages, Session& session, Clock& clock, Shown& shown);
+void changeExposure(Messages& messages, Session& session, const Clock& clock, const Shown& shown,
+                    double stops);
+void resetExposure(Messages& messages, Session& session, const Clock& clock, const Shown& shown);
 
 }  // namespace pileus::editor

@@ -1,11 +1,12 @@
 #include "editor/picture/snapshots.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <ctime>
-
-#include "editor/app/editor.h"
 
 namespace pileus::editor {
 namespace {
@@ -32,34 +33,33 @@ std::size_t Snapshots::bytes() const {
   return sum;
 }
 
-void takeSnapshot(Editor& editor) {
-  Snapshots& s = editor.viewport.snapshots;
-  const auto& picture = editor.preview.picture();
-  if (!picture) return editor.messages.hint("There is no picture to keep yet.");
+void takeSnapshot(Messages& messages, Session& session, Shown& shown) {
+  Snapshots& s = shown.snapshots;
+  const auto& picture = shown.preview.picture();
+  if (!picture) return messages.hint("There is no picture to keep yet.");
   if (s.all.size() >= Snapshots::kMost)
-    return editor.messages.hint(
-        fmt::format("{} stills are kept at most: delete one first.", Snapshots::kMost));
+    return messages.hint(fmt::format("{} stills are kept at most: delete one first.", Snapshots::kMost));
   s.all.push_back({freeSlot(s), fmt::format("Still {}", s.next++), timeText(), view::stillOf(*picture),
-                   editor.document.root()});
-  editor.messages.note(s.all.back().name + " kept with its graph");
+                   session.document.root()});
+  messages.note(s.all.back().name + " kept with its graph");
 }
 
-void toggleSnapshotWipe(Editor& editor) {
-  Snapshots& s = editor.viewport.snapshots;
-  if (s.all.empty()) return editor.messages.hint("There is no still to compare with: Shift+Enter keeps one.");
+void toggleSnapshotWipe(Messages& messages, Shown& shown) {
+  Snapshots& s = shown.snapshots;
+  if (s.all.empty()) return messages.hint("There is no still to compare with: Shift+Enter keeps one.");
   s.wiping = !s.wiping;
   if (!s.wiping) return;
-  editor.compare.on = false;
+  shown.compare.on = false;
   if (!s.valid(s.left)) s.left = Snapshots::kPicture;
   if (!s.valid(s.right) || s.right == s.left) s.right = static_cast<int>(s.all.size()) - 1;
 }
 
-void deleteSnapshot(Editor& editor, std::size_t index) {
-  Snapshots& s = editor.viewport.snapshots;
+void deleteSnapshot(Messages& messages, Shown& shown, std::size_t index) {
+  Snapshots& s = shown.snapshots;
   if (index >= s.all.size()) return;
-  editor.messages.note(s.all[index].name + " deleted");
+  messages.note(s.all[index].name + " deleted");
   // What was drawn of it would keep its texels.
-  for (Viewport::Drawn& drawn : editor.viewport.drawn)
+  for (Displayed::Drawn& drawn : shown.displayed.drawn)
     if (drawn.picture == s.all[index].picture) drawn.picture.reset();
   s.all.erase(s.all.begin() + static_cast<std::ptrdiff_t>(index));
   const auto gone = static_cast<int>(index);
@@ -71,14 +71,14 @@ void deleteSnapshot(Editor& editor, std::size_t index) {
   }
 }
 
-void restoreSnapshot(Editor& editor, std::size_t index) {
-  const Snapshots& s = editor.viewport.snapshots;
+void restoreSnapshot(Messages& messages, Session& session, const Shown& shown, std::size_t index) {
+  const Snapshots& s = shown.snapshots;
   if (index >= s.all.size()) return;
-  if (s.all[index].graph == editor.document.root())
-    return editor.messages.note("The graph is already that of " + s.all[index].name);
-  editor.document.endMerge();
-  tryEditRoot(editor, s.all[index].graph, "Restore " + s.all[index].name);
-  editor.messages.note("Graph of " + s.all[index].name + " restored");
+  if (s.all[index].graph == session.document.root())
+    return messages.note("The graph is already that of " + s.all[index].name);
+  session.document.endMerge();
+  tryEditRoot(session, messages, s.all[index].graph, "Restore " + s.all[index].name);
+  messages.note("Graph of " + s.all[index].name + " restored");
 }
 
 }  // namespace pileus::editor

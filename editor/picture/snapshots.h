@@ -5,13 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "editor/viewport/wipe_line.h"
 #include "nodes/graph/graph.h"
+#include "renderer/base/math.h"
 #include "renderer/view/picture.h"
 
 namespace pileus::editor {
 
-struct Editor;
+class Messages;
+struct Session;
+struct Shown;
+
+/// The line of a wipe: dragged with the pointer.
+struct WipeLine {
+  double at = 0.5;  ///< of the picture's width
+  bool held = false;
+};
 
 struct Snapshot {
   std::size_t slot = 0;  ///< of the thumbnail's texture
@@ -37,16 +45,10 @@ struct Snapshots {
 };
 
 // Actions.
-void takeSnapshot(Editor& editor);
-void toggleSnapshotWipe(Editor& editor);
-void deleteSnapshot(Editor& editor, std::size_t index);
+void takeSnapshot(Messages& messages, Session& session, Shown& shown);
+void toggleSnapshotWipe(Messages& messages, Shown& shown);
+void deleteSnapshot(Messages& messages, Shown& shown, std::size_t index);
 /// The graph as it was, as one undo step.
-void restoreSnapshot(Editor& editor, std::size_t index);
-
-/// Height the strip wants; 0 while there is none.
-float snapshotStripHeight(const Editor& editor);
-void drawSnapshotStrip(Editor& editor, vec2 lo, vec2 hi);
-/// In place of the picture while wiping.
-void drawSnapshotWipe(Editor& editor, vec2 lo, vec2 hi, bool hovered);
+void restoreSnapshot(Messages& messages, Session& session, const Shown& shown, std::size_t index);
 
 }  // namespace pileus::editor

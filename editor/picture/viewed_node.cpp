@@ -1,10 +1,12 @@
 #include "editor/picture/viewed_node.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 
 #include <fmt/core.h>
 
 #include <deque>
 
-#include "editor/app/editor.h"
 #include "nodes/graph/graph_groups.h"
 #include "nodes/graph/graph_sockets.h"
 
@@ -76,56 +78,58 @@ int slotOf(const ViewSlots& slots, const std::string& node) {
 
 namespace {
 
-void viewPath(Editor& editor, const std::string& path) {
-  const std::string shown = nearestPicture(editor.document.root(), path);
+void viewPath(Messages& messages, const Session& session, Shown& shown, const std::string& path) {
+  const std::string nearest = nearestPicture(session.document.root(), path);
   const auto shortName = [](const std::string& p) { return p.substr(p.rfind('/') + 1); };
-  if (shown.empty())
-    return editor.messages.hint(fmt::format(
-        "{} has no picture, and none is made with it: link it to a Render node.", shortName(path)));
-  editor.viewport.activeView = shown;
-  if (shown == path)
-    editor.messages.note("Viewing " + shown);
+  if (nearest.empty())
+    return messages.hint(fmt::format("{} has no picture, and none is made with it: link it to a Render node.",
+                                     shortName(path)));
+  shown.activeView = nearest;
+  if (nearest == path)
+    messages.note("Viewing " + nearest);
   else
-    editor.messages.note(fmt::format("{} has no picture of its own: viewing {}, which uses it",
-                                     shortName(path), shortName(shown)));
+    messages.note(fmt::format("{} has no picture of its own: viewing {}, which uses it", shortName(path),
+                              shortName(nearest)));
 }
 
 }  // namespace
 
-void viewNode(Editor& editor, const std::string& node) { viewPath(editor, editor.document.scopedName(node)); }
-
-void viewSelected(Editor& editor) {
-  if (editor.document.selection().size() == 1)
-    viewNode(editor, *editor.document.selection().begin());
-  else
-    editor.messages.hint("Select one node to view it.");
+void viewNode(Messages& messages, const Session& session, Shown& shown, const std::string& node) {
+  viewPath(messages, session, shown, session.document.scopedName(node));
 }
 
-void viewSlot(Editor& editor, int number) {
-  std::string& slot = editor.canvas.slots.at(static_cast<std::size_t>(number - 1));
-  if (find(editor.document.root(), slot).graph) return viewPath(editor, slot);
-  const std::set<std::string>& selection = editor.document.selection();
+void viewSelected(Messages& messages, const Session& session, Shown& shown) {
+  if (session.document.selection().size() == 1)
+    viewNode(messages, session, shown, *session.document.selection().begin());
+  else
+    messages.hint("Select one node to view it.");
+}
+
+void viewSlot(Messages& messages, const Session& session, Shown& shown, int number) {
+  std::string& slot = shown.slots.at(static_cast<std::size_t>(number - 1));
+  if (find(session.document.root(), slot).graph) return viewPath(messages, session, shown, slot);
+  const std::set<std::string>& selection = session.document.selection();
   if (selection.size() != 1)
-    return editor.messages.hint(
+    return messages.hint(
         fmt::format("View slot {} is free: select one node and press {} to put it there.", number, number));
-  const std::string path = editor.document.scopedName(*selection.begin());
-  if (!nearestPicture(editor.document.root(), path).empty()) {
-    for (std::string& other : editor.canvas.slots)  // a node is in one slot
+  const std::string path = session.document.scopedName(*selection.begin());
+  if (!nearestPicture(session.document.root(), path).empty()) {
+    for (std::string& other : shown.slots)  // a node is in one slot
       if (other == path) other.clear();
     slot = path;
   }
-  viewPath(editor, path);
+  viewPath(messages, session, shown, path);
 }
 
-void clearViewSlots(Editor& editor) { editor.canvas.slots = {}; }
+void clearViewSlots(Shown& shown) { shown.slots = {}; }
 
-void viewsFollow(Editor& editor, const std::string& from, const std::string& to) {
-  const std::string before = editor.document.scopedName(from), after = editor.document.scopedName(to);
+void viewsFollow(const Session& session, Shown& shown, const std::string& from, const std::string& to) {
+  const std::string before = session.document.scopedName(from), after = session.document.scopedName(to);
   const auto follow = [&](std::string& path) {
     if (path == before || path.starts_with(before + "/")) path.replace(0, before.size(), after);
   };
-  follow(editor.viewport.activeView);
-  for (std::string& slot : editor.canvas.slots) follow(slot);
+  follow(shown.activeView);
+  for (std::string& slot : shown.slots) follow(slot);
 }
 
 }  // namespace pileus::editor

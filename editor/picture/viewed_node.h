@@ -8,7 +8,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+class Messages;
+struct Session;
+struct Shown;
 
 // `root` is the whole document; a node in a group is named by its path, "Group/Node", as the evaluator does.
 
@@ -30,13 +32,13 @@ int slotOf(const ViewSlots& slots, const std::string& node);
 
 /// Shows a node of the current scope, or the nearest picture that it takes part in; says what it did where
 /// that is not plain.
-void viewNode(Editor& editor, const std::string& node);
+void viewNode(Messages& messages, const Session& session, Shown& shown, const std::string& node);
 /// Of the selection.
-void viewSelected(Editor& editor);
+void viewSelected(Messages& messages, const Session& session, Shown& shown);
 /// `number` from 1: shows what the slot holds; a free one takes the selected node first.
-void viewSlot(Editor& editor, int number);
-void clearViewSlots(Editor& editor);
+void viewSlot(Messages& messages, const Session& session, Shown& shown, int number);
+void clearViewSlots(Shown& shown);
 /// A node of the current scope has another name now.
-void viewsFollow(Editor& editor, const std::string& from, const std::string& to);
+void viewsFollow(const Session& session, Shown& shown, const std::string& from, const std::string& to);
 
 }  // namespace pileus::editor

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/graph_view/bookmarks.h"
 #include "editor/preferences/appearance.h"
+#include "editor/preferences/bookmarks.h"
 #include "editor/preferences/panel_layout.h"
 #include "editor/preferences/view_settings.h"
 #include "renderer/base/math.h"

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <chrono>
 
-#include "editor/app/crash_log.h"
-#include "editor/app/editor.h"
-#include "editor/commands/actions.h"
-#include "editor/document/files.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/crash_log.h"
+#include "editor/document/graph_pictures.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace fs = std::filesystem;
 
@@ -22,7 +24,7 @@ namespace {
 constexpr float kLeft = 292, kWidth = 1060, kHeight = 680;  // design pixels
 
 /// What was chosen; it runs after the view is closed.
-using Choice = std::function<void(Editor&)>;
+using Choice = std::optional<Request>;
 
 std::string ago(std::int64_t time) {
   const auto now =
@@ -36,13 +38,13 @@ std::string ago(std::int64_t time) {
 }
 
 /// The desktop's file manager, where there is one; the path is said in any case.
-void showInFolder(Editor& editor, const fs::path& path) {
+void showInFolder(Ui& ui, const fs::path& path) {
   const std::string folder = path.parent_path().string();
   std::string program = "xdg-open", argument = folder;
   char* const arguments[] = {program.data(), argument.data(), nullptr};
   pid_t child = 0;
   (void)::posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
-  editor.messages.info("In " + folder);
+  ui.messages.info("In " + folder);
 }
 
 void heading(const Theme& theme, const char* text) {
@@ -74,9 +76,8 @@ void drawPicture(const Theme& theme, const GraphPictures::Shown& shown, ImVec2 l
                         b, IM_COL32_WHITE, r);
 }
 
-bool wideButton(Editor& editor, const char* icon, const char* label, const char* trace,
-                bool primary = false) {
-  const Theme& theme = editor.theme;
+bool wideButton(Ui& ui, const char* icon, const char* label, const char* trace, bool primary = false) {
+  const Theme& theme = ui.theme;
   if (primary) {
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
@@ -85,36 +86,36 @@ bool wideButton(Editor& editor, const char* icon, const char* label, const char*
   const bool pressed = ImGui::Button(fmt::format("  {}   {}", icon, label).c_str(), {-1, theme.px(34)});
   ImGui::PopStyleVar();
   if (primary) ImGui::PopStyleColor(2);
-  editor.trace.item(std::string("start/") + trace);
+  ui.trace.item(std::string("start/") + trace);
   return pressed;
 }
 
-void drawRecent(Editor& editor, Choice& choice) {
-  const Theme& theme = editor.theme;
+void drawRecent(Ui& ui, const Settings& settings, GraphPictures& pictures, const StartView& start,
+                Choice& choice) {
+  const Theme& theme = ui.theme;
   heading(theme, "Recent");
-  if (editor.settings.recentFiles.empty()) {
+  if (settings.recentFiles.empty()) {
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("What you save or open appears here.");
     ImGui::PopTextWrapPos();
     return;
   }
   int row = 0;
-  for (const std::string& file : editor.settings.recentFiles) {
-    const auto& missing = editor.start.found.missing;
+  for (const std::string& file : settings.recentFiles) {
+    const auto& missing = start.found.missing;
     const bool gone = std::find(missing.begin(), missing.end(), file) != missing.end();
     const fs::path path = file;
     ImGui::PushID(row);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = theme.px(46), width = ImGui::GetContentRegionAvail().x;
-    if (ImGui::InvisibleButton("recent", {width, height}) && !gone)
-      choice = [file](Editor& e) { withSavedDocument(e, [file](Editor& x) { openFile(x, file); }); };
+    if (ImGui::InvisibleButton("recent", {width, height}) && !gone) choice = OpenFile{path};
     const bool hovered = ImGui::IsItemHovered();
-    editor.trace.item(fmt::format("start/recent/{}", row));
+    ui.trace.item(fmt::format("start/recent/{}", row));
     ImDrawList* draw = ImGui::GetWindowDrawList();
     if (hovered && !gone)
       draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kRowHover, theme.px(4));
     const float pad = theme.px(4), picture = theme.px(68);
-    drawPicture(theme, gone ? GraphPictures::Shown{} : editor.pictures.file(path), {at.x + pad, at.y + pad},
+    drawPicture(theme, gone ? GraphPictures::Shown{} : pictures.file(path), {at.x + pad, at.y + pad},
                 {at.x + pad + picture, at.y + height - pad}, gone);
     const float x = at.x + picture + theme.space(4), room = at.x + width - x - pad;
     drawText(draw, theme.body, {x, at.y + theme.px(6)}, gone ? palette::kTextFaint : palette::kText,
@@ -127,45 +128,41 @@ void drawRecent(Editor& editor, Choice& choice) {
   }
 }
 
-void drawLeft(Editor& editor, Choice& choice) {
-  const Theme& theme = editor.theme;
+void drawLeft(Ui& ui, Settings& settings, GraphPictures& pictures, const StartView& start, Choice& choice) {
+  const Theme& theme = ui.theme;
   ImGui::PushFont(theme.title);
   ImGui::TextUnformatted("Pileus");
   ImGui::PopFont();
   ImGui::TextDisabled("Light in clouds and smoke");
   ImGui::Dummy({0, theme.space(2)});
-  if (wideButton(editor, icon::kFile, "New", "new")) choice = [](Editor& e) { newDocument(e); };
-  if (wideButton(editor, icon::kFolderOpen, "Open\xe2\x80\xa6", "open"))
-    choice = [](Editor& e) { askOpen(e); };
-  if (wideButton(editor, icon::kCloud, "Import VDB\xe2\x80\xa6", "import"))
-    choice = [](Editor& e) { askImportVdb(e); };
-  if (wideButton(editor, icon::kInfo, "Take the tour, four steps", "tour", !editor.settings.tourSeen))
-    choice = [](Editor& e) { startTour(e); };
+  if (wideButton(ui, icon::kFile, "New", "new")) choice = RunCommand{"file.new"};
+  if (wideButton(ui, icon::kFolderOpen, "Open\xe2\x80\xa6", "open")) choice = RunCommand{"file.open"};
+  if (wideButton(ui, icon::kCloud, "Import VDB\xe2\x80\xa6", "import"))
+    choice = RunCommand{"file.import_vdb"};
+  if (wideButton(ui, icon::kInfo, "Take the tour, four steps", "tour", !settings.tourSeen))
+    choice = RunCommand{"help.tour"};
   ImGui::Dummy({0, theme.space(2)});
   const float footer =
       ImGui::GetFrameHeight() + theme.px(2) + 2 * ImGui::GetStyle().ItemSpacing.y + theme.px(2);
   ImGui::BeginChild("recent list", {0, std::max(theme.px(60), ImGui::GetContentRegionAvail().y - footer)});
-  drawRecent(editor, choice);
+  drawRecent(ui, settings, pictures, start, choice);
   ImGui::EndChild();
   ImGui::Dummy({0, theme.px(2)});
-  ImGui::Checkbox("Show at start", &editor.settings.showStart);
-  editor.trace.item("start/show");
+  ImGui::Checkbox("Show at start", &settings.showStart);
+  ui.trace.item("start/show");
 }
 
-void drawPreset(Editor& editor, const PresetText& preset, float width, Choice& choice) {
-  const Theme& theme = editor.theme;
+void drawPreset(Ui& ui, GraphPictures& pictures, const PresetText& preset, float width, Choice& choice) {
+  const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float picture = std::round(width * 9 / 16), pad = theme.px(4), height = picture + theme.px(50);
   ImGui::PushID(preset.file);
-  if (ImGui::InvisibleButton("preset", {width, height}))
-    choice = [name = std::string(preset.file)](Editor& e) {
-      withSavedDocument(e, [name](Editor& x) { openPreset(x, name); });
-    };
+  if (ImGui::InvisibleButton("preset", {width, height})) choice = OpenPreset{preset.file};
   const bool hovered = ImGui::IsItemHovered();
-  editor.trace.item(fmt::format("start/preset/{}", preset.file));
+  ui.trace.item(fmt::format("start/preset/{}", preset.file));
   ImGui::PopID();
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  drawPicture(theme, editor.pictures.preset(preset.file), at, {at.x + width, at.y + picture}, false);
+  drawPicture(theme, pictures.preset(preset.file), at, {at.x + width, at.y + picture}, false);
   if (hovered)
     draw->AddRect({at.x - pad / 2, at.y - pad / 2}, {at.x + width + pad / 2, at.y + picture + pad / 2},
                   palette::kAccent, theme.px(5), 0, theme.px(2));
@@ -173,8 +170,8 @@ void drawPreset(Editor& editor, const PresetText& preset, float width, Choice& c
   drawText(draw, theme.small, {at.x, at.y + picture + theme.px(25)}, palette::kTextDim, preset.about, width);
 }
 
-void drawGallery(Editor& editor, Choice& choice) {
-  const Theme& theme = editor.theme;
+void drawGallery(Ui& ui, GraphPictures& pictures, Choice& choice) {
+  const Theme& theme = ui.theme;
   heading(theme, "Begin with a scene");
   ImGui::BeginChild("gallery");
   const float room = ImGui::GetContentRegionAvail().x - theme.space(4), gap = theme.space(4);
@@ -187,7 +184,7 @@ void drawGallery(Editor& editor, Choice& choice) {
   int i = 0;
   for (const PresetText& preset : galleryTexts()) {
     if (i++ % columns != 0) ImGui::SameLine();
-    drawPreset(editor, preset, width, choice);
+    drawPreset(ui, pictures, preset, width, choice);
   }
   ImGui::Unindent(theme.px(2));
   ImGui::PopStyleVar();
@@ -195,9 +192,9 @@ void drawGallery(Editor& editor, Choice& choice) {
 }
 
 /// Unsaved work and crash reports, above everything else.
-void drawNotices(Editor& editor, Choice& choice) {
-  const Theme& theme = editor.theme;
-  StartFindings& found = editor.start.found;
+void drawNotices(Ui& ui, StartView& start, Choice& choice) {
+  const Theme& theme = ui.theme;
+  StartFindings& found = start.found;
   if (found.lost.empty() && found.crashes.empty()) return;
   const float row = ImGui::GetFrameHeight() + theme.space(2);
   const std::size_t shown = std::min<std::size_t>(found.lost.size(), 3);
@@ -214,23 +211,17 @@ void drawNotices(Editor& editor, Choice& choice) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::AlignTextToFramePadding();
     ImGui::Text("%s  Unsaved work of %s, %s", icon::kWarning, name.c_str(), ago(lost.time).c_str());
-    editor.trace.note("start/lost", name);
+    ui.trace.note("start/lost", name);
     const float button = theme.px(96), right = ImGui::GetWindowContentRegionMax().x - 2 * theme.space(2);
     ImGui::SameLine(right - button * 3.2f);
-    if (ImGui::Button("Open", {button, 0}))
-      choice = [lost](Editor& e) {
-        withSavedDocument(e, [lost](Editor& x) {
-          if (openLost(x, lost))
-            std::erase_if(x.start.found.lost, [&](const Lost& l) { return l.set == lost.set; });
-        });
-      };
-    editor.trace.item(fmt::format("start/lost/{}/open", i));
+    if (ImGui::Button("Open", {button, 0})) choice = OpenLost{std::make_shared<Lost>(lost)};
+    ui.trace.item(fmt::format("start/lost/{}/open", i));
     ImGui::SameLine();
-    if (ImGui::Button("Show in folder", {button * 1.2f, 0})) showInFolder(editor, lost.file);
-    editor.trace.item(fmt::format("start/lost/{}/folder", i));
+    if (ImGui::Button("Show in folder", {button * 1.2f, 0})) showInFolder(ui, lost.file);
+    ui.trace.item(fmt::format("start/lost/{}/folder", i));
     ImGui::SameLine();
     if (ImGui::Button("Discard", {button, 0})) erase = static_cast<int>(i);
-    editor.trace.item(fmt::format("start/lost/{}/discard", i));
+    ui.trace.item(fmt::format("start/lost/{}/discard", i));
     ImGui::PopID();
   }
   if (!found.crashes.empty()) {
@@ -238,8 +229,8 @@ void drawNotices(Editor& editor, Choice& choice) {
     ImGui::Text("%s  Pileus ended unexpectedly. A report was written: %s", icon::kInfo,
                 found.crashes.front().filename().c_str());
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * theme.space(2) - theme.px(116));
-    if (ImGui::Button("Show report", {theme.px(116), 0})) showInFolder(editor, found.crashes.front());
-    editor.trace.item("start/crash");
+    if (ImGui::Button("Show report", {theme.px(116), 0})) showInFolder(ui, found.crashes.front());
+    ui.trace.item("start/crash");
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
@@ -260,14 +251,13 @@ StartFindings look(const std::vector<std::string>& recent) {
   return out;
 }
 
-void takeFindings(Editor& editor) {
-  StartView& start = editor.start;
+void takeFindings(Ui& ui, StartView& start) {
   if (!start.search || !start.search->done()) return;
   start.found = *start.search->result();
   start.search.reset();
-  if (!start.found.lost.empty() && !start.open) openStart(editor);
+  if (!start.found.lost.empty() && !start.open) openStart(start);
   for (const fs::path& report : start.found.crashes)
-    editor.messages.warn("Pileus ended unexpectedly last time. A report was written: " + report.string());
+    ui.messages.warn("Pileus ended unexpectedly last time. A report was written: " + report.string());
 }
 
 }  // namespace
@@ -286,19 +276,18 @@ const std::vector<PresetText>& galleryTexts() {
   return texts;
 }
 
-void beginStart(Editor& editor, bool show) {
-  editor.start.search = std::make_unique<Job<StartFindings>>(
-      [recent = editor.settings.recentFiles](JobControl&) -> Result<StartFindings> { return look(recent); });
-  if (show) openStart(editor);
+void beginStart(const Settings& settings, StartView& start, bool show) {
+  start.search = std::make_unique<Job<StartFindings>>(
+      [recent = settings.recentFiles](JobControl&) -> Result<StartFindings> { return look(recent); });
+  if (show) openStart(start);
 }
 
-void openStart(Editor& editor) { editor.start.open = editor.start.appearing = true; }
+void openStart(StartView& start) { start.open = start.appearing = true; }
 
-void drawStart(Editor& editor) {
-  StartView& start = editor.start;
-  takeFindings(editor);
-  if (!start.open || editor.dialogs.anyOpen() || editor.browser.isOpen()) return;
-  const Theme& theme = editor.theme;
+void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& start) {
+  takeFindings(ui, start);
+  if (!start.open || ui.modals.anyOpen() || ui.modals.browser.isOpen()) return;
+  const Theme& theme = ui.theme;
   if (!ImGui::IsPopupOpen("Start")) ImGui::OpenPopup("Start");
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size = {std::min(theme.px(kWidth), display.x - theme.space(10)),
@@ -312,16 +301,16 @@ void drawStart(Editor& editor) {
                                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar(2);
   if (!shown) return;
-  editor.trace.rect("start", ImGui::GetWindowPos(),
-                    {ImGui::GetWindowPos().x + size.x, ImGui::GetWindowPos().y + size.y});
+  ui.trace.rect("start", ImGui::GetWindowPos(),
+                {ImGui::GetWindowPos().x + size.x, ImGui::GetWindowPos().y + size.y});
   Choice choice;
-  drawNotices(editor, choice);
+  drawNotices(ui, start, choice);
   ImGui::BeginChild("left", {theme.px(kLeft), 0});
-  drawLeft(editor, choice);
+  drawLeft(ui, settings, pictures, start, choice);
   ImGui::EndChild();
   ImGui::SameLine(0, theme.space(8));
   ImGui::BeginChild("right", {0, 0});
-  drawGallery(editor, choice);
+  drawGallery(ui, pictures, choice);
   ImGui::EndChild();
   const ImVec2 lo = ImGui::GetWindowPos(), hi = {lo.x + size.x, lo.y + size.y};
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsMouseHoveringRect(lo, hi, false);
@@ -332,7 +321,7 @@ void drawStart(Editor& editor) {
   }
   start.appearing = false;
   ImGui::EndPopup();
-  if (choice) choice(editor);
+  if (choice) ui.requests.push(std::move(*choice));
 }
 
 }  // namespace pileus::editor

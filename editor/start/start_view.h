@@ -11,7 +11,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+class GraphPictures;
+struct Settings;
+struct Ui;
 
 /// What a job finds out before anything is shown.
 struct StartFindings {
@@ -29,11 +31,11 @@ struct StartView {
 
 /// At the start of the program: looks for unsaved work and crash reports; the view opens when `show`, and in
 /// any case when there is unsaved work.
-void beginStart(Editor& editor, bool show);
+void beginStart(const Settings& settings, StartView& start, bool show);
 /// Help > Start view.
-void openStart(Editor& editor);
+void openStart(StartView& start);
 /// Once a frame.
-void drawStart(Editor& editor);
+void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& start);
 
 /// "default.json" -> "Broken cumulus": the gallery's name of a preset, and one line about it.
 struct PresetText {

@@ -1,4 +1,7 @@
 #include "editor/start/tour.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>  // FindWindowByName: where the panels are
@@ -6,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-
-#include "editor/app/editor.h"
 
 namespace pileus::editor {
 namespace {
@@ -36,27 +37,27 @@ constexpr std::array<Step, 4> kSteps = {{
      "colours. That is how you see what a shadow map costs in quality."},
 }};
 
-void finish(Editor& editor) {
-  editor.tour.step = -1;
-  editor.settings.tourSeen = true;
+void finish(Settings& settings, Tour& tour) {
+  tour.step = -1;
+  settings.tourSeen = true;
 }
 
 /// Everything but the framed place is dimmed.
-void drawFrame(const Editor& editor, ImDrawList* draw, const ImRect& place) {
+void drawFrame(const Theme& theme, ImDrawList* draw, const ImRect& place) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   draw->AddRectFilled({0, 0}, {display.x, place.Min.y}, palette::kDim);
   draw->AddRectFilled({0, place.Max.y}, display, palette::kDim);
   draw->AddRectFilled({0, place.Min.y}, {place.Min.x, place.Max.y}, palette::kDim);
   draw->AddRectFilled({place.Max.x, place.Min.y}, {display.x, place.Max.y}, palette::kDim);
-  const float inset = editor.theme.px(2);
+  const float inset = theme.px(2);
   draw->AddRect({place.Min.x + inset, place.Min.y + inset}, {place.Max.x - inset, place.Max.y - inset},
-                palette::kAccent, editor.theme.px(5), 0, editor.theme.px(3));
+                palette::kAccent, theme.px(5), 0, theme.px(3));
 }
 
 /// Inside the framed place where it is large, else beside it.
-ImVec2 cardPlace(const Editor& editor, const ImRect& place, ImVec2 size) {
+ImVec2 cardPlace(const Theme& theme, const ImRect& place, ImVec2 size) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float gap = editor.theme.space(5);
+  const float gap = theme.space(5);
   ImVec2 at = {place.Min.x + gap, place.Max.y - size.y - gap};
   if (place.GetWidth() < size.x + 3 * gap) at = {place.Min.x - size.x - gap, place.Min.y + gap};
   at.x = std::clamp(at.x, gap, std::max(gap, display.x - size.x - gap));
@@ -64,12 +65,13 @@ ImVec2 cardPlace(const Editor& editor, const ImRect& place, ImVec2 size) {
   return at;
 }
 
-void drawCard(Editor& editor, const ImRect& place) {
-  const Theme& theme = editor.theme;
-  const int at = editor.tour.step, last = static_cast<int>(kSteps.size()) - 1;
+void drawCard(Ui& ui, Settings& settings, Tour& tour, const ImRect& place) {
+  const Theme& theme = ui.theme;
+  const int at = tour.step, last = static_cast<int>(kSteps.size()) - 1;
   const Step& step = kSteps[static_cast<std::size_t>(at)];
   static ImVec2 size{0, 0};  // of the last frame
-  ImGui::SetNextWindowPos(cardPlace(editor, place, size.x > 0 ? size : ImVec2(theme.px(380), theme.px(180))));
+  ImGui::SetNextWindowPos(
+      cardPlace(ui.theme, place, size.x > 0 ? size : ImVec2(theme.px(380), theme.px(180))));
   ImGui::SetNextWindowSize({theme.px(380), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(5), theme.space(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
@@ -89,40 +91,39 @@ void drawCard(Editor& editor, const ImRect& place) {
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted(step.text);
   ImGui::PopTextWrapPos();
-  editor.trace.note("tour", step.title);
+  ui.trace.note("tour", step.title);
   ImGui::Dummy({0, theme.space(2)});
   const ImVec2 button = {theme.px(88), 0};
   int to = at;
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
   if (ImGui::Button(at == last ? "Done" : "Next", button)) ++to;
   ImGui::PopStyleColor();
-  editor.trace.item("tour/next");
+  ui.trace.item("tour/next");
   ImGui::SameLine();
   if (at > 0) {
     if (ImGui::Button("Back", button)) --to;
-    editor.trace.item("tour/back");
+    ui.trace.item("tour/back");
     ImGui::SameLine();
   }
   if (at < last && ImGui::Button("Skip", button)) to = last + 1;
-  if (at < last) editor.trace.item("tour/skip");
+  if (at < last) ui.trace.item("tour/skip");
   size = ImGui::GetWindowSize();
   ImGui::End();
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) to = last + 1;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) ++to;
   if (to > last)
-    finish(editor);
+    finish(settings, tour);
   else
-    editor.tour.step = to;
+    tour.step = to;
 }
 
 }  // namespace
 
-void startTour(Editor& editor) { editor.tour.step = 0; }
+void startTour(Tour& tour) { tour.step = 0; }
 
-void drawTour(Editor& editor) {
-  if (!editor.tour.on()) return;
-  const ImGuiWindow* panel =
-      ImGui::FindWindowByName(kSteps[static_cast<std::size_t>(editor.tour.step)].panel);
+void drawTour(Ui& ui, Settings& settings, Tour& tour) {
+  if (!tour.on()) return;
+  const ImGuiWindow* panel = ImGui::FindWindowByName(kSteps[static_cast<std::size_t>(tour.step)].panel);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImRect place = panel && panel->WasActive ? panel->Rect() : ImRect({0, 0}, display);
   // Below the card, above everything else: a window of its own.
@@ -134,9 +135,9 @@ void drawTour(Editor& editor) {
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
   ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   ImGui::PopStyleVar();
-  drawFrame(editor, ImGui::GetWindowDrawList(), place);
+  drawFrame(ui.theme, ImGui::GetWindowDrawList(), place);
   ImGui::End();
-  drawCard(editor, place);
+  drawCard(ui, settings, tour, place);
 }
 
 }  // namespace pileus::editor

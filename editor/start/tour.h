@@ -3,15 +3,16 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Settings;
+struct Ui;
 
 struct Tour {
   int step = -1;  ///< 0 to 3; below 0: not on
   bool on() const { return step >= 0; }
 };
 
-void startTour(Editor& editor);
+void startTour(Tour& tour);
 /// Once a frame, after everything else.
-void drawTour(Editor& editor);
+void drawTour(Ui& ui, Settings& settings, Tour& tour);
 
 }  // namespace pileus::editor

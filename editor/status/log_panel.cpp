@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "editor/app/editor.h"
-#include "editor/app/panels.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/segments.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -68,11 +68,11 @@ std::string textOf(const log::Line& line) {
   return fmt::format("{:10.2f}  {:7}  {}", line.seconds, kWords[index(line.level)], line.text);
 }
 
-void copyAll(Editor& editor) {
+void copyAll(Ui& ui, const LogPanel& logPanel) {
   std::string text;
-  for (const log::Line& line : editor.logPanel.lines) text += textOf(line) + "\n";
+  for (const log::Line& line : logPanel.lines) text += textOf(line) + "\n";
   ImGui::SetClipboardText(text.c_str());
-  editor.messages.note(fmt::format("Copied {} lines.", editor.logPanel.lines.size()));
+  ui.messages.note(fmt::format("Copied {} lines.", logPanel.lines.size()));
 }
 
 void clear(LogPanel& panel) {
@@ -80,22 +80,22 @@ void clear(LogPanel& panel) {
   for (const Level l : kLevels) panel.clearedAt[index(l)] = log::count(l);
 }
 
-bool quietButton(Editor& editor, const char* label, const char* trace) {
+bool quietButton(Ui& ui, const char* label, const char* trace) {
   ImGui::SameLine();
   const bool pressed = ImGui::Button(label);
-  editor.trace.item(trace);
+  ui.trace.item(trace);
   return pressed;
 }
 
-void drawBar(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
-  LogPanel& panel = editor.logPanel;
+void drawBar(Ui& ui, LogPanel& logPanel, ImVec2 min, ImVec2 max) {
+  const Theme& theme = ui.theme;
+  LogPanel& panel = logPanel;
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(5)});
   bool first = true;
   for (const Level l : kLevels) {
     if (!first) ImGui::SameLine(0, 1);
     const std::string label = fmt::format("{} {}", kNames[index(l)], panel.count(l));
-    if (segment(editor, std::string("log/") + kNames[index(l)], label, "Show or hide these lines",
+    if (segment(ui, std::string("log/") + kNames[index(l)], label, "Show or hide these lines",
                 panel.levels[index(l)], first, l == Level::Debug))
       panel.levels[index(l)] = !panel.levels[index(l)];
     first = false;
@@ -106,24 +106,24 @@ void drawBar(Editor& editor, ImVec2 min, ImVec2 max) {
   if (room > theme.px(70)) {
     ImGui::SetNextItemWidth(std::min(room, theme.px(260)));
     ImGui::InputTextWithHint("##words", "Search", &panel.words);
-    editor.trace.item("log/search");
+    ui.trace.item("log/search");
     ImGui::SameLine();
   }
   ImGui::Checkbox("Follow", &panel.follow);
-  editor.trace.item("log/follow");
-  if (quietButton(editor, "Copy", "log/copy")) copyAll(editor);
-  if (quietButton(editor, "Clear", "log/clear")) clear(panel);
+  ui.trace.item("log/follow");
+  if (quietButton(ui, "Copy", "log/copy")) copyAll(ui, logPanel);
+  if (quietButton(ui, "Clear", "log/clear")) clear(panel);
   ImGui::SetCursorScreenPos({max.x - close, min.y});
-  if (ImGui::InvisibleButton("log close", {close, close})) setPanelOpen(editor, Panel::Log, false);
-  editor.trace.item("log/close");
+  if (ImGui::InvisibleButton("log close", {close, close})) ui.requests.push(ShowPanel{Panel::Log, false});
+  ui.trace.item("log/close");
   drawText(ImGui::GetWindowDrawList(), theme.small,
            {max.x - 0.5f * (close + textWidth(theme.small, icon::kTimes)),
             min.y + 0.5f * (close - theme.small->FontSize)},
            ImGui::IsItemHovered() ? palette::kText : palette::kTextDim, icon::kTimes, close);
 }
 
-void drawLine(Editor& editor, const log::Line& line, int row) {
-  const Theme& theme = editor.theme;
+void drawLine(Ui& ui, const log::Line& line, int row) {
+  const Theme& theme = ui.theme;
   const ImU32 ink = inkOf(line.level);
   ImGui::PushID(row);
   // The whole row is one thing to point at: a click copies it.
@@ -131,7 +131,7 @@ void drawLine(Editor& editor, const log::Line& line, int row) {
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, faded(palette::kRowHover, 0.5f));
   if (ImGui::Selectable("##line", false, ImGuiSelectableFlags_AllowItemOverlap, {0, theme.mono->FontSize})) {
     ImGui::SetClipboardText(textOf(line).c_str());
-    editor.messages.note("Copied the line.");
+    ui.messages.note("Copied the line.");
   }
   ImGui::PopStyleColor();
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -154,18 +154,18 @@ std::size_t LogPanel::count(Level level) const {
   return log::count(level) - std::min(clearedAt[index(level)], log::count(level));
 }
 
-void showLog(Editor& editor, Level level) {
+void showLog(Ui& ui, LogPanel& logPanel, Level level) {
   for (const Level l : kLevels)
-    if (l >= level) editor.logPanel.levels[index(l)] = true;
-  editor.logPanel.words.clear();
-  setPanelOpen(editor, Panel::Log, true);
+    if (l >= level) logPanel.levels[index(l)] = true;
+  logPanel.words.clear();
+  ui.requests.push(ShowPanel{Panel::Log});
 }
 
-void drawLog(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
-  LogPanel& panel = editor.logPanel;
+void drawLog(Ui& ui, LogPanel& logPanel, ImVec2 min, ImVec2 max) {
+  const Theme& theme = ui.theme;
+  LogPanel& panel = logPanel;
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, palette::kPanel);
-  drawBar(editor, min, max);
+  drawBar(ui, logPanel, min, max);
   const float bar = theme.px(36);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + bar});
   ImGui::BeginChild("lines", {max.x - min.x - theme.space(3), max.y - min.y - bar - theme.space(1)}, false,
@@ -176,15 +176,15 @@ void drawLog(Editor& editor, ImVec2 min, ImVec2 max) {
   clipper.Begin(static_cast<int>(panel.lines.size()));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-      drawLine(editor, panel.lines[static_cast<std::size_t>(i)], i);
+      drawLine(ui, panel.lines[static_cast<std::size_t>(i)], i);
   ImGui::PopFont();
   if (panel.lines.empty())
     ImGui::TextDisabled(panel.key.empty() || total() == 0 ? "Nothing has been logged."
                                                           : "No line passes the filters.");
   if (panel.follow && (grown || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY(1);
   ImGui::EndChild();
-  editor.trace.rect("log", min, max);
-  editor.trace.note("log", std::to_string(panel.lines.size()));
+  ui.trace.rect("log", min, max);
+  ui.trace.note("log", std::to_string(panel.lines.size()));
 }
 
 }  // namespace pileus::editor

@@ -10,7 +10,7 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Ui;
 
 struct LogPanel {
   std::array<bool, 4> levels{false, true, true, true};  ///< shown, by log::Level
@@ -27,8 +27,8 @@ struct LogPanel {
   std::size_t count(log::Level level) const;
 };
 
-void drawLog(Editor& editor, ImVec2 min, ImVec2 max);
+void drawLog(Ui& ui, LogPanel& logPanel, ImVec2 min, ImVec2 max);
 /// Opens the panel with all levels from `level` up.
-void showLog(Editor& editor, log::Level level);
+void showLog(Ui& ui, LogPanel& logPanel, log::Level level);
 
 }  // namespace pileus::editor

@@ -6,11 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/exporter.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
 #include "editor/status/log_panel.h"
+#include "editor/status/status_room.h"
+#include "editor/time/clock.h"
 #include "editor/time/playback.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "renderer/view/picture.h"
 
@@ -22,10 +28,10 @@ struct NodeTime {
   double cpuMs = 0, gpuMs = 0;
 };
 
-std::vector<NodeTime> nodeTimes(const Editor& editor) {
+std::vector<NodeTime> nodeTimes(const Session& session, const Shown& shown) {
   std::vector<NodeTime> times;
-  for (const auto& [name, node] : editor.document.root().nodes) {
-    const nodes::NodeStatus& s = editor.preview.evaluator().status(name);
+  for (const auto& [name, node] : session.document.root().nodes) {
+    const nodes::NodeStatus& s = shown.preview.evaluator().status(name);
     if (s.state != nodes::NodeState::Idle && s.cpuMs + s.gpuMs >= 0.05)
       times.push_back({name, s.cpuMs, s.gpuMs});
   }
@@ -40,8 +46,8 @@ std::string ms(double value) {
                           : fmt::format("{:.1f} s", value / 1000);
 }
 
-std::string pictureText(const Editor& editor) {
-  const auto& picture = editor.preview.picture();
+std::string pictureText(const Shown& shown) {
+  const auto& picture = shown.preview.picture();
   if (!picture) return {};
   std::string text = fmt::format("{} \xc3\x97 {}", picture->size.x, picture->size.y);
   if (picture->samples > 0)
@@ -50,40 +56,39 @@ std::string pictureText(const Editor& editor) {
 }
 
 /// Only what is not as it should be: pictures that come slower than the document asks for.
-std::string playText(const Editor& editor) {
-  const PlayClock& clock = editor.timeline.clock;
-  const double wanted = editor.document.root().settings.fps;
-  const double reached = reachedFps(editor);
-  if (!clock.playing() || reached > 0.9 * wanted) return {};
+std::string playText(const Session& session, const Clock& clock) {
+  const PlayClock& play = clock.play;
+  const double wanted = session.document.root().settings.fps;
+  const double reached = reachedFps(clock);
+  if (!play.playing() || reached > 0.9 * wanted) return {};
   return fmt::format("Plays {:.0f} of {:g} fps   ", reached, wanted);
 }
 
-void drawExport(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
-  const std::string text = fmt::format("Exporting {} {:.0f} %", editor.exporter.target().filename().string(),
-                                       100 * editor.exporter.fraction());
+void drawExport(Ui& ui, Exporter& exporter, ImVec2 min, ImVec2 max) {
+  const Theme& theme = ui.theme;
+  const std::string text =
+      fmt::format("Exporting {} {:.0f} %", exporter.target().filename().string(), 100 * exporter.fraction());
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme.space(2), theme.px(2)});
   if (ImGui::Button("Cancel export")) {
-    editor.exporter.cancel();
-    editor.messages.info("Export cancelled.");
+    exporter.cancel();
+    ui.messages.info("Export cancelled.");
   }
-  editor.trace.item("export/cancel");
+  ui.trace.item("export/cancel");
   ImGui::PopStyleVar();
   const float x = ImGui::GetItemRectMax().x + theme.space(3), y = 0.5f * (min.y + max.y);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float bar = theme.px(120);
   draw->AddRectFilled({x, y - theme.px(3)}, {x + bar, y + theme.px(3)}, palette::kField, theme.px(3));
-  const auto t =
-      static_cast<float>(std::clamp(editor.exporter.active() ? editor.exporter.fraction() : 0.0, 0.0, 1.0));
+  const auto t = static_cast<float>(std::clamp(exporter.active() ? exporter.fraction() : 0.0, 0.0, 1.0));
   draw->AddRectFilled({x, y - theme.px(3)}, {x + bar * t, y + theme.px(3)}, palette::kAccent, theme.px(3));
   drawText(draw, theme.small, {x + bar + theme.space(2), y - 0.5f * theme.small->FontSize}, palette::kText,
            text, max.x - x - bar);
 }
 
 /// Warnings and errors since the log was cleared; a click shows them. Returns where it ends.
-float drawCounts(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
+float drawCounts(Ui& ui, LogPanel& logPanel, ImVec2 min, ImVec2 max) {
+  const Theme& theme = ui.theme;
   struct Count {
     log::Level level;
     const char* mark;
@@ -93,13 +98,13 @@ float drawCounts(Editor& editor, ImVec2 min, ImVec2 max) {
   float x = min.x + theme.space(2);
   for (const Count& c : {Count{log::Level::Error, icon::kError, palette::kError, "status/errors"},
                          Count{log::Level::Warning, icon::kWarning, palette::kWarning, "status/warnings"}}) {
-    const std::size_t n = editor.logPanel.count(c.level);
+    const std::size_t n = logPanel.count(c.level);
     if (n == 0) continue;
     const std::string text = fmt::format("{} {}", c.mark, n);
     const float width = textWidth(theme.small, text) + 2 * theme.space(2);
     ImGui::SetCursorScreenPos({x, min.y});
-    if (ImGui::InvisibleButton(c.trace, {width, max.y - min.y})) showLog(editor, c.level);
-    editor.trace.item(c.trace);
+    if (ImGui::InvisibleButton(c.trace, {width, max.y - min.y})) showLog(ui, logPanel, c.level);
+    ui.trace.item(c.trace);
     if (ImGui::IsItemHovered()) {
       ImGui::GetWindowDrawList()->AddRectFilled({x, min.y + theme.px(2)}, {x + width, max.y - theme.px(2)},
                                                 palette::kButtonHover, theme.px(4));
@@ -112,11 +117,11 @@ float drawCounts(Editor& editor, ImVec2 min, ImVec2 max) {
   return x;
 }
 
-void drawMessage(Editor& editor, ImVec2 min, ImVec2 max, float right) {
-  const Theme& theme = editor.theme;
-  if (!editor.messages.lineVisible()) return;
-  const bool hint = editor.messages.lineLevel() == log::Level::Warning;
-  std::string text = editor.messages.line();
+void drawMessage(Ui& ui, ImVec2 min, ImVec2 max, float right) {
+  const Theme& theme = ui.theme;
+  if (!ui.messages.lineVisible()) return;
+  const bool hint = ui.messages.lineLevel() == log::Level::Warning;
+  std::string text = ui.messages.line();
   std::replace(text.begin(), text.end(), '\n', ' ');
   if (hint) text = std::string(icon::kWarning) + "  " + text;
   const float width =
@@ -124,12 +129,11 @@ void drawMessage(Editor& editor, ImVec2 min, ImVec2 max, float right) {
                {min.x + theme.space(2), 0.5f * (min.y + max.y - theme.small->FontSize)},
                hint ? palette::kWarning : palette::kTextDim, text, right - min.x - theme.space(6));
   if (ImGui::IsMouseHoveringRect(min, {min.x + theme.space(2) + width, max.y}) && ImGui::IsWindowHovered())
-    tooltip(theme, editor.messages.line());
-  editor.trace.note("status", editor.messages.line());
+    tooltip(theme, ui.messages.line());
+  ui.trace.note("status", ui.messages.line());
 }
 
-void timesTooltip(const Editor& editor, const std::vector<NodeTime>& times) {
-  const Theme& theme = editor.theme;
+void timesTooltip(const Theme& theme, const std::vector<NodeTime>& times) {
   ImGui::BeginTooltip();
   ImGui::TextDisabled("Time of the last evaluation");
   if (ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit)) {
@@ -154,27 +158,27 @@ void timesTooltip(const Editor& editor, const std::vector<NodeTime>& times) {
 
 }  // namespace
 
-void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
+void drawStatusLine(const StatusRoom& room, ImVec2 min, ImVec2 max) {
+  const Theme& theme = room.ui.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(min, max, palette::kBar);
-  const std::vector<NodeTime> times = nodeTimes(editor);
-  std::string text = playText(editor);
+  const std::vector<NodeTime> times = nodeTimes(room.session, room.shown);
+  std::string text = playText(room.session, room.clock);
   for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i)
     text += times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + "   ";
-  text += pictureText(editor) + "   frame " + ms(editor.frameMs);
+  text += pictureText(room.shown) + "   frame " + ms(room.ui.now.frameMs);
   const float width = textWidth(theme.small, text),
               right = std::max(max.x - theme.space(3) - width, min.x + (max.x - min.x) * 0.35f);
   const float used = drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)},
                               palette::kTextDim, text, max.x - right - theme.space(3) + 1);
   if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && !times.empty())
-    timesTooltip(editor, times);
-  const float left = drawCounts(editor, min, max);
-  if (editor.exporter.active())
-    drawExport(editor, {left, min.y}, {right, max.y});
+    timesTooltip(room.ui.theme, times);
+  const float left = drawCounts(room.ui, room.logPanel, min, max);
+  if (room.exporter.active())
+    drawExport(room.ui, room.exporter, {left, min.y}, {right, max.y});
   else
-    drawMessage(editor, {left, min.y}, max, right);
-  editor.trace.rect("status", min, max);
+    drawMessage(room.ui, {left, min.y}, max, right);
+  room.ui.trace.rect("status", min, max);
 }
 
 }  // namespace pileus::editor

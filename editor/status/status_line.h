@@ -4,8 +4,8 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct StatusRoom;
 
-void drawStatusLine(Editor& editor, ImVec2 min, ImVec2 max);
+void drawStatusLine(const StatusRoom& room, ImVec2 min, ImVec2 max);
 
 }  // namespace pileus::editor

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -17,7 +18,7 @@ constexpr double kFadeMs = 300;
 
 struct Wish {
   int dismissed = 0;
-  std::function<void(Editor&)> run;
+  std::string command;
 };
 
 ImU32 inkOf(log::Level level) {
@@ -26,8 +27,7 @@ ImU32 inkOf(log::Level level) {
                                         : palette::kAccent;
 }
 
-void drawText(const Editor& editor, const Notice& notice, float right) {
-  const Theme& theme = editor.theme;
+void drawText(const Theme& theme, const Notice& notice, float right) {
   const char* mark = notice.level == log::Level::Error     ? icon::kError
                      : notice.level == log::Level::Warning ? icon::kWarning
                                                            : icon::kInfo;
@@ -41,8 +41,8 @@ void drawText(const Editor& editor, const Notice& notice, float right) {
 }
 
 /// Returns its height.
-float drawOne(Editor& editor, const Notice& notice, ImVec2 corner, Wish& wish) {
-  const Theme& theme = editor.theme;
+float drawOne(Ui& ui, const Notice& notice, ImVec2 corner, Wish& wish) {
+  const Theme& theme = ui.theme;
   const std::string id = "##notice" + std::to_string(notice.id), trace = "toast/" + std::to_string(notice.id);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 1});
   ImGui::SetNextWindowSize({theme.px(kWidth), 0});
@@ -57,23 +57,23 @@ float drawOne(Editor& editor, const Notice& notice, ImVec2 corner, Wish& wish) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleColor();
   const float close = theme.px(20);
-  drawText(editor, notice, theme.px(kWidth) - theme.space(3) - close);
+  drawText(ui.theme, notice, theme.px(kWidth) - theme.space(3) - close);
   const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  if (notice.action) {
+  if (!notice.command.empty()) {
     ImGui::SetCursorPosX(theme.space(9));
-    if (ImGui::Button(notice.button.c_str())) wish = {notice.id, notice.action};
-    editor.trace.item(trace + "/button");
+    if (ImGui::Button(notice.button.c_str())) wish = {notice.id, notice.command};
+    ui.trace.item(trace + "/button");
   }
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
-    editor.messages.hold(notice.id);
-    if (notice.action) ImGui::SameLine();
-    if (!notice.action) ImGui::SetCursorPosX(theme.space(9));
+    ui.messages.hold(notice.id);
+    if (!notice.command.empty()) ImGui::SameLine();
+    if (notice.command.empty()) ImGui::SetCursorPosX(theme.space(9));
     if (ImGui::SmallButton("Copy text")) ImGui::SetClipboardText(notice.text.c_str());
-    editor.trace.item(trace + "/copy");
+    ui.trace.item(trace + "/copy");
   }
   ImGui::SetCursorScreenPos({min.x + size.x - theme.space(2) - close, min.y + theme.space(2)});
   if (ImGui::InvisibleButton("close", {close, close})) wish.dismissed = notice.id;
-  editor.trace.item(trace + "/close");
+  ui.trace.item(trace + "/close");
   const ImU32 ink = ImGui::IsItemHovered() ? palette::kText : palette::kTextFaint;
   const ImVec2 x = ImGui::GetItemRectMin();
   editor::drawText(ImGui::GetWindowDrawList(), theme.small, {x.x + theme.px(4), x.y + theme.px(1)}, ink,
@@ -85,8 +85,8 @@ float drawOne(Editor& editor, const Notice& notice, ImVec2 corner, Wish& wish) {
   ImGui::GetWindowDrawList()->AddRectFilled({min.x, min.y + theme.px(6)},
                                             {min.x + theme.px(3), min.y + size.y - theme.px(6)},
                                             inkOf(notice.level), theme.px(2));
-  editor.trace.rect(trace, min, {min.x + size.x, min.y + size.y});
-  editor.trace.note(trace, notice.text);
+  ui.trace.rect(trace, min, {min.x + size.x, min.y + size.y});
+  ui.trace.note(trace, notice.text);
   ImGui::End();
   ImGui::PopStyleVar(4);
   return size.y;
@@ -94,16 +94,16 @@ float drawOne(Editor& editor, const Notice& notice, ImVec2 corner, Wish& wish) {
 
 }  // namespace
 
-void drawToasts(Editor& editor, ImVec2 corner) {
-  editor.messages.dropOld();
-  if (editor.messages.notices().empty()) return;
-  const float gap = editor.theme.space(2);
-  corner = {corner.x - editor.theme.space(3), corner.y - editor.theme.space(3)};
+void drawToasts(Ui& ui, ImVec2 corner) {
+  ui.messages.dropOld();
+  if (ui.messages.notices().empty()) return;
+  const float gap = ui.theme.space(2);
+  corner = {corner.x - ui.theme.space(3), corner.y - ui.theme.space(3)};
   Wish wish;
-  for (auto n = editor.messages.notices().rbegin(); n != editor.messages.notices().rend(); ++n)
-    corner.y -= drawOne(editor, *n, corner, wish) + gap;
-  if (wish.dismissed) editor.messages.dismiss(wish.dismissed);
-  if (wish.run) wish.run(editor);
+  for (auto n = ui.messages.notices().rbegin(); n != ui.messages.notices().rend(); ++n)
+    corner.y -= drawOne(ui, *n, corner, wish) + gap;
+  if (wish.dismissed) ui.messages.dismiss(wish.dismissed);
+  if (!wish.command.empty()) ui.requests.push(RunCommand{wish.command});
 }
 
 }  // namespace pileus::editor

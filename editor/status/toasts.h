@@ -4,9 +4,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Ui;
 
 /// Stacked upwards from `corner`.
-void drawToasts(Editor& editor, ImVec2 corner);
+void drawToasts(Ui& ui, ImVec2 corner);
 
 }  // namespace pileus::editor

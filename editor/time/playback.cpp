@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/app/panels.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/exchange/requests.h"
+#include "editor/time/clock.h"
 
 namespace pileus::editor {
 namespace {
@@ -14,77 +16,73 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-const nodes::Settings& settings(const Editor& editor) { return editor.document.root().settings; }
+const nodes::Settings& settings(const Session& session) { return session.document.root().settings; }
 
 }  // namespace
 
-void goToFrame(Editor& editor, int frame) {
-  stopPlayback(editor);
-  if (frame == editor.frame) return;
-  editor.frame = frame;
-  editor.preview.touch();
+void goToFrame(Clock& clock, int frame) {
+  stopPlayback(clock);
+  if (frame == clock.frame) return;
+  clock.frame = frame;
 }
 
-void stepFrame(Editor& editor, int by) { goToFrame(editor, editor.frame + by); }
+void stepFrame(Clock& clock, int by) { goToFrame(clock, clock.frame + by); }
 
-void goToKey(Editor& editor, int direction) {
-  const std::vector<AnimatedRow>& rows = shownRows(editor.timeline.rows, editor.document);
+void goToKey(Messages& messages, const Session& session, Clock& clock, int direction) {
+  const std::vector<AnimatedRow>& rows = shownRows(clock.keys.rows, session.document);
   // Keys between whole frames: the frame they belong to, but always onwards.
-  const std::optional<double> key = keyBeside(rows, editor.frame, direction);
-  if (!key)
-    return editor.messages.note(direction < 0 ? "No key before this frame" : "No key after this frame");
-  goToFrame(editor, static_cast<int>(direction < 0 ? std::floor(*key) : std::ceil(*key)));
+  const std::optional<double> key = keyBeside(rows, clock.frame, direction);
+  if (!key) return messages.note(direction < 0 ? "No key before this frame" : "No key after this frame");
+  goToFrame(clock, static_cast<int>(direction < 0 ? std::floor(*key) : std::ceil(*key)));
 }
 
-void goToEnd(Editor& editor, int direction) {
-  goToFrame(editor, direction < 0 ? settings(editor).frames.x : settings(editor).frames.y);
+void goToEnd(const Session& session, Clock& clock, int direction) {
+  goToFrame(clock, direction < 0 ? settings(session).frames.x : settings(session).frames.y);
 }
 
-void play(Editor& editor, int direction) {
-  const ivec2 range = settings(editor).frames;
+void play(Messages& messages, Requests& requests, const Session& session, Clock& clock, int direction) {
+  const ivec2 range = settings(session).frames;
   if (range.x == range.y) {
-    revealPanel(editor, Panel::Timeline);
-    editor.messages.hint("The frame range holds one frame: set its end in the timeline to play.");
+    requests.push(ShowPanel{Panel::Timeline});
+    messages.hint("The frame range holds one frame: set its end in the timeline to play.");
     return;
   }
-  editor.timeline.answered = editor.preview.answered();
-  editor.timeline.clock.start(editor.frame, direction, range, settings(editor).fps, steadySeconds());
+  clock.play.start(clock.frame, direction, range, settings(session).fps, steadySeconds());
 }
 
-void stopPlayback(Editor& editor) { editor.timeline.clock.stop(); }
+void stopPlayback(Clock& clock) { clock.play.stop(); }
 
-void togglePlay(Editor& editor) {
-  if (editor.timeline.clock.playing())
-    stopPlayback(editor);
+void togglePlay(Messages& messages, Requests& requests, const Session& session, Clock& clock) {
+  if (clock.play.playing())
+    stopPlayback(clock);
   else
-    play(editor, 1);
+    play(messages, requests, session, clock, 1);
 }
 
-void holdFrame(Editor& editor, const nodes::Node& node) {
-  if (!node.animated.empty()) stopPlayback(editor);
+void holdFrame(Clock& clock, const nodes::Node& node) {
+  if (!node.animated.empty()) stopPlayback(clock);
 }
 
-void stepPlayback(Editor& editor) {
-  PlayClock& clock = editor.timeline.clock;
-  if (!clock.playing()) return;
+void stepPlayback(const Session& session, Clock& clock, std::uint64_t answered) {
+  PlayClock& play = clock.play;
+  if (!play.playing()) return void(clock.answered = answered);
   const double now = steadySeconds();
-  const nodes::Settings& s = settings(editor);
-  if (clock.outdated(s.frames, s.fps)) clock.start(editor.frame, clock.direction(), s.frames, s.fps, now);
-  const int frame = clock.frameAt(now);
+  const nodes::Settings& s = settings(session);
+  if (play.outdated(s.frames, s.fps)) play.start(clock.frame, play.direction(), s.frames, s.fps, now);
+  const int frame = play.frameAt(now);
   // One picture a frame counts, however often it is refined.
-  if (frame != editor.frame) {
-    if (editor.preview.answered() != editor.timeline.answered) clock.shown(now);
-    editor.timeline.answered = editor.preview.answered();
+  if (frame != clock.frame) {
+    if (answered != clock.answered) play.shown(now);
+    clock.answered = answered;
   }
-  if (frame != editor.frame) editor.preview.touch();
-  editor.frame = frame;
+  clock.frame = frame;
 }
 
-double playbackDueIn(const Editor& editor) {
-  const PlayClock& clock = editor.timeline.clock;
-  return clock.playing() ? clock.dueIn(steadySeconds()) : -1;
+double playbackDueIn(const Clock& clock) {
+  const PlayClock& play = clock.play;
+  return play.playing() ? play.dueIn(steadySeconds()) : -1;
 }
 
-double reachedFps(const Editor& editor) { return editor.timeline.clock.reachedFps(steadySeconds()); }
+double reachedFps(const Clock& clock) { return clock.play.reachedFps(steadySeconds()); }
 
 }  // namespace pileus::editor

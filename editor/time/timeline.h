@@ -1,14 +1,11 @@
 #pragma once
-// The timeline's arithmetic and state: frames on the ruler, keys as rows, what is selected, and the clock of
-// playback. Nothing here knows the window.
+// The timeline's arithmetic: frames on the ruler, keys as rows, what is selected, and the clock of playback.
 #include <deque>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "editor/toolkit/number_field.h"
-#include "editor/toolkit/pointer_rest.h"
 #include "nodes/graph/document.h"
 #include "nodes/graph/graph_animation.h"
 
@@ -87,23 +84,11 @@ class PlayClock {
   std::deque<double> shown_;
 };
 
-struct Timeline {
-  enum class Drag { None, Keys, Box };
-
-  FrameScale scale;
-  bool fitted = false;  ///< the scale has been chosen for this document
-  float scroll = 0;     ///< of the rows, pixels
+/// The keys that are selected and moved.
+struct KeyEditing {
   KeyRowsCache rows;
   KeySelection selected;
-  PlayClock clock;
-  std::uint64_t answered = 0;  ///< of the preview, when last counted
-  NumberFieldState numbers;
-  PointerRest rest;
-
-  Drag drag = Drag::None;
-  bool moved = false;  ///< the drag has left the place where it began
-  double fromX = 0, fromY = 0;
-  nodes::Graph before;  ///< the graph when the keys' drag began
+  nodes::Graph before;  ///< the graph when the drag of keys began
   KeySelection beforeSelected;
 };
 

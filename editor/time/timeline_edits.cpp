@@ -1,8 +1,10 @@
 #include "editor/time/timeline_edits.h"
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/time/clock.h"
 
 #include <fmt/core.h>
 
-#include "editor/app/editor.h"
 #include "nodes/graph/graph_animation.h"
 
 namespace pileus::editor {
@@ -14,58 +16,59 @@ constexpr char kMove[] = "timeline move";
 
 std::string keysText(std::size_t count) { return count == 1 ? "key" : fmt::format("{} keys", count); }
 
-void deleteSelectedKeys(Editor& editor) {
-  deleteSelectedKeys(editor, "Delete " + keysText(editor.timeline.selected.size()));
+void deleteSelectedKeys(Messages& messages, Session& session, Clock& clock) {
+  deleteSelectedKeys(messages, session, clock, "Delete " + keysText(clock.keys.selected.size()));
 }
 
-void deleteSelectedKeys(Editor& editor, const std::string& label) {
-  KeySelection& selected = editor.timeline.selected;
-  nodes::Graph graph = editor.document.graph();
+void deleteSelectedKeys(Messages& messages, Session& session, Clock& clock, const std::string& label) {
+  KeySelection& selected = clock.keys.selected;
+  nodes::Graph graph = session.document.graph();
   for (const KeyRef& k : selected) graph = nodes::removeKey(graph, k.node, k.param, k.frame);
-  if (tryEdit(editor, std::move(graph), label)) selected.clear();
+  if (tryEdit(session, messages, std::move(graph), label)) selected.clear();
 }
 
-void interpolateSelectedKeys(Editor& editor, nodes::Interpolation interpolation) {
-  nodes::Graph graph = editor.document.graph();
-  for (const KeyRef& k : editor.timeline.selected)
+void interpolateSelectedKeys(Messages& messages, Session& session, const Clock& clock,
+                             nodes::Interpolation interpolation) {
+  nodes::Graph graph = session.document.graph();
+  for (const KeyRef& k : clock.keys.selected)
     graph = nodes::setInterpolation(graph, k.node, k.param, k.frame, interpolation);
-  tryEdit(editor, std::move(graph), "Interpolate " + keysText(editor.timeline.selected.size()));
+  tryEdit(session, messages, std::move(graph), "Interpolate " + keysText(clock.keys.selected.size()));
 }
 
-void keyShownRows(Editor& editor) {
-  nodes::Graph graph = editor.document.graph();
-  const std::vector<AnimatedRow>& rows = shownRows(editor.timeline.rows, editor.document);
-  if (rows.empty()) return editor.messages.hint("Nothing is animated yet: press I over a parameter.");
+void keyShownRows(Messages& messages, Session& session, Clock& clock) {
+  nodes::Graph graph = session.document.graph();
+  const std::vector<AnimatedRow>& rows = shownRows(clock.keys.rows, session.document);
+  if (rows.empty()) return messages.hint("Nothing is animated yet: press I over a parameter.");
   for (const AnimatedRow& row : rows) {
     nodes::Animation animation{row.keys};
     Result<nodes::Graph> keyed =
-        nodes::setParamAt(graph, row.node, row.param, nodes::valueAt(animation, editor.frame), editor.frame);
-    if (!keyed) return editor.messages.hint(keyed.error().message);
+        nodes::setParamAt(graph, row.node, row.param, nodes::valueAt(animation, clock.frame), clock.frame);
+    if (!keyed) return messages.hint(keyed.error().message);
     graph = std::move(*keyed);
   }
-  tryEdit(editor, std::move(graph), fmt::format("Set {} at frame {}", keysText(rows.size()), editor.frame));
+  tryEdit(session, messages, std::move(graph),
+          fmt::format("Set {} at frame {}", keysText(rows.size()), clock.frame));
 }
 
-void selectAllKeys(Editor& editor) {
-  editor.timeline.selected.clear();
-  for (const AnimatedRow& row : shownRows(editor.timeline.rows, editor.document))
-    for (const nodes::AnimationKey& k : row.keys)
-      editor.timeline.selected.insert({row.node, row.param, k.frame});
+void selectAllKeys(const Session& session, Clock& clock) {
+  clock.keys.selected.clear();
+  for (const AnimatedRow& row : shownRows(clock.keys.rows, session.document))
+    for (const nodes::AnimationKey& k : row.keys) clock.keys.selected.insert({row.node, row.param, k.frame});
 }
 
-void beginKeyMove(Editor& editor) {
-  Timeline& t = editor.timeline;
-  t.before = editor.document.graph();
+void beginKeyMove(Session& session, Clock& clock) {
+  KeyEditing& t = clock.keys;
+  t.before = session.document.graph();
   t.beforeSelected = t.selected;
-  editor.document.endMerge();
+  session.document.endMerge();
 }
 
-void moveSelectedKeys(Editor& editor, double frames) {
-  Timeline& t = editor.timeline;
+void moveSelectedKeys(Messages& messages, Session& session, Clock& clock, double frames) {
+  KeyEditing& t = clock.keys;
   if (t.beforeSelected.empty()) return;
   if (t.selected.begin()->frame == t.beforeSelected.begin()->frame + frames) return;  // there already
   // From where all began, so that keys that were passed on the way stay what they were.
-  if (!tryEdit(editor, nodes::moveKeys(t.before, movesBy(t.beforeSelected, frames)),
+  if (!tryEdit(session, messages, nodes::moveKeys(t.before, movesBy(t.beforeSelected, frames)),
                "Move " + keysText(t.beforeSelected.size()), kMove))
     return;
   t.selected.clear();
@@ -73,12 +76,11 @@ void moveSelectedKeys(Editor& editor, double frames) {
     k.frame += frames;
     t.selected.insert(std::move(k));
   }
-  editor.preview.touch();
 }
 
-void endKeyMove(Editor& editor) {
-  editor.document.endMerge();
-  editor.timeline.before = {};
+void endKeyMove(Session& session, Clock& clock) {
+  session.document.endMerge();
+  clock.keys.before = {};
 }
 
 }  // namespace pileus::editor

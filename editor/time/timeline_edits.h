@@ -6,21 +6,25 @@
 
 namespace pileus::editor {
 
-struct Editor;
+class Messages;
+struct Clock;
+struct Session;
 
 /// "key" or "3 keys".
 std::string keysText(std::size_t count);
 
-void deleteSelectedKeys(Editor& editor);
-void deleteSelectedKeys(Editor& editor, const std::string& label);  ///< of the undo step
-void interpolateSelectedKeys(Editor& editor, nodes::Interpolation interpolation);
+void deleteSelectedKeys(Messages& messages, Session& session, Clock& clock);
+void deleteSelectedKeys(Messages& messages, Session& session, Clock& clock,
+                        const std::string& label);  ///< of the undo step
+void interpolateSelectedKeys(Messages& messages, Session& session, const Clock& clock,
+                             nodes::Interpolation interpolation);
 /// A key on every row shown, at the current frame, with the value it has there.
-void keyShownRows(Editor& editor);
-void selectAllKeys(Editor& editor);
+void keyShownRows(Messages& messages, Session& session, Clock& clock);
+void selectAllKeys(const Session& session, Clock& clock);
 
 /// A drag of the selected keys: begin, then where it is now, then the end.
-void beginKeyMove(Editor& editor);
-void moveSelectedKeys(Editor& editor, double frames);
-void endKeyMove(Editor& editor);
+void beginKeyMove(Session& session, Clock& clock);
+void moveSelectedKeys(Messages& messages, Session& session, Clock& clock, double frames);
+void endKeyMove(Session& session, Clock& clock);
 
 }  // namespace pileus::editor

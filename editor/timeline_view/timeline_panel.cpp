@@ -4,11 +4,18 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
 #include "editor/time/playback.h"
+#include "editor/timeline_view/timeline_room.h"
 #include "editor/timeline_view/timeline_rows.h"
+#include "editor/timeline_view/timeline_state.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "nodes/graph/graph_animation.h"
 
@@ -53,38 +60,42 @@ void drawMark(const Theme& theme, ImDrawList* draw, ImVec2 c, Mark mark, ImU32 i
   }
 }
 
-bool button(Editor& editor, const char* id, Mark mark, const char* help) {
-  const Theme& theme = editor.theme;
+bool button(Ui& ui, const Timeline& timeline, const char* id, Mark mark, const char* help) {
+  const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetFrameHeight(), width = theme.px(30);
   const std::string trace = std::string("timeline/") + id;
   const bool pressed = ImGui::InvisibleButton(trace.c_str(), {width, size});
-  editor.trace.item(trace);
+  ui.trace.item(trace);
   const bool over = ImGui::IsItemHovered();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (over) draw->AddRectFilled(at, {at.x + width, at.y + size}, palette::kButtonHover, theme.px(4));
   drawMark(theme, draw, {at.x + 0.5f * width, at.y + 0.5f * size}, mark,
            over ? palette::kTextStrong : palette::kText);
-  if (over && editor.timeline.rest.short_) tooltip(theme, help);
+  if (over && timeline.rest.short_) tooltip(theme, help);
   ImGui::SameLine(0, theme.px(2));
   return pressed;
 }
 
-void transport(Editor& editor) {
-  if (button(editor, "to start", Mark::Start, "To the start of the range (Home)")) goToEnd(editor, -1);
-  if (button(editor, "previous key", Mark::PreviousKey, "To the previous key (Shift+,)")) goToKey(editor, -1);
-  const bool playing = editor.timeline.clock.playing();
-  if (button(editor, "play", playing ? Mark::Pause : Mark::Play,
+void transport(const TimelineRoom& room) {
+  if (button(room.ui, room.timeline, "to start", Mark::Start, "To the start of the range (Home)"))
+    goToEnd(room.session, room.clock, -1);
+  if (button(room.ui, room.timeline, "previous key", Mark::PreviousKey, "To the previous key (Shift+,)"))
+    goToKey(room.ui.messages, room.session, room.clock, -1);
+  const bool playing = room.clock.play.playing();
+  if (button(room.ui, room.timeline, "play", playing ? Mark::Pause : Mark::Play,
              playing ? "Stop (K)" : "Play forward (L), backward (J)"))
-    togglePlay(editor);
-  if (button(editor, "next key", Mark::NextKey, "To the next key (Shift+.)")) goToKey(editor, 1);
-  if (button(editor, "to end", Mark::End, "To the end of the range (End)")) goToEnd(editor, 1);
+    togglePlay(room.ui.messages, room.ui.requests, room.session, room.clock);
+  if (button(room.ui, room.timeline, "next key", Mark::NextKey, "To the next key (Shift+.)"))
+    goToKey(room.ui.messages, room.session, room.clock, 1);
+  if (button(room.ui, room.timeline, "to end", Mark::End, "To the end of the range (End)"))
+    goToEnd(room.session, room.clock, 1);
 }
 
 /// A label and a number after it; the cursor stays on the line.
-NumberEdit labelled(Editor& editor, const char* id, const char* label, double& value,
+NumberEdit labelled(Ui& ui, const Timeline& timeline, const char* id, const char* label, double& value,
                     const NumberField& field, float width, const char* help) {
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float name = textWidth(theme.small, label);
   drawText(ImGui::GetWindowDrawList(), theme.small,
@@ -92,25 +103,25 @@ NumberEdit labelled(Editor& editor, const char* id, const char* label, double& v
            name + 1);
   ImGui::SetCursorScreenPos({at.x + name + theme.space(1.5f), at.y});
   const std::string trace = std::string("timeline/") + id;
-  const NumberEdit edit =
-      numberField(editor.timeline.numbers, theme, trace.c_str(), value, field, theme.px(width));
-  editor.trace.item(trace);
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && editor.timeline.rest.long_) tooltip(theme, help);
+  const NumberEdit edit = numberField(ui.fields.number, theme, trace.c_str(), value, field, theme.px(width));
+  ui.trace.item(trace);
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive() && timeline.rest.long_) tooltip(theme, help);
   ImGui::SetCursorScreenPos({at.x + name + theme.space(1.5f) + theme.px(width) + theme.space(3), at.y});
   return edit;
 }
 
 /// Steps of one drag are one; Esc gives back what was there.
-void applySetting(Editor& editor, const NumberEdit& edit, Result<nodes::Graph> graph, const char* label) {
-  std::optional<nodes::Settings>& before = editor.parameters.settingsBefore;
-  if (edit.dragging && !before) before = editor.document.graph().settings;
-  if (edit.changed) tryEdit(editor, std::move(graph), label, edit.dragging ? label : "");
+void applySetting(Ui& ui, Session& session, Timeline& timeline, const NumberEdit& edit,
+                  Result<nodes::Graph> graph, const char* label) {
+  std::optional<nodes::Settings>& before = timeline.settingsBefore;
+  if (edit.dragging && !before) before = session.document.graph().settings;
+  if (edit.changed) tryEdit(session, ui.messages, std::move(graph), label, edit.dragging ? label : "");
   if (edit.cancelled && before) {
-    nodes::Graph old = editor.document.graph();
+    nodes::Graph old = session.document.graph();
     old.settings = *before;
-    tryEdit(editor, std::move(old), label, label);
+    tryEdit(session, ui.messages, std::move(old), label, label);
   }
-  if (edit.finished) before.reset(), editor.document.endMerge();
+  if (edit.finished) before.reset(), session.document.endMerge();
 }
 
 NumberField frameField() {
@@ -120,52 +131,58 @@ NumberField frameField() {
   return field;
 }
 
-void fields(Editor& editor) {
-  const nodes::Graph& graph = editor.document.graph();
+void fields(const TimelineRoom& room) {
+  const nodes::Graph& graph = room.session.document.graph();
   const ivec2 range = graph.settings.frames;
-  double frame = editor.frame;
-  if (labelled(editor, "frame", "Frame", frame, frameField(), 66, "The current frame (, and . step)").changed)
-    goToFrame(editor, static_cast<int>(frame));
+  double frame = room.clock.frame;
+  if (labelled(room.ui, room.timeline, "frame", "Frame", frame, frameField(), 66,
+               "The current frame (, and . step)")
+          .changed)
+    goToFrame(room.clock, static_cast<int>(frame));
   double first = range.x;
   const NumberEdit start =
-      labelled(editor, "start", "Start", first, frameField(), 66, "First frame of the range");
+      labelled(room.ui, room.timeline, "start", "Start", first, frameField(), 66, "First frame of the range");
   const int x = static_cast<int>(first);
-  applySetting(editor, start, nodes::setFrameRange(graph, {x, std::max(x, range.y)}), "Set first frame");
+  applySetting(room.ui, room.session, room.timeline, start,
+               nodes::setFrameRange(graph, {x, std::max(x, range.y)}), "Set first frame");
   double last = range.y;
-  const NumberEdit end = labelled(editor, "end", "End", last, frameField(), 66, "Last frame of the range");
+  const NumberEdit end =
+      labelled(room.ui, room.timeline, "end", "End", last, frameField(), 66, "Last frame of the range");
   const int y = static_cast<int>(last);
-  applySetting(editor, end, nodes::setFrameRange(editor.document.graph(), {std::min(range.x, y), y}),
+  applySetting(room.ui, room.session, room.timeline, end,
+               nodes::setFrameRange(room.session.document.graph(), {std::min(range.x, y), y}),
                "Set last frame");
   double fps = graph.settings.fps;
   NumberField speed;
   speed.softMin = 1, speed.softMax = 120, speed.hardMin = 0.01, speed.hardMax = 1000;
   speed.unit = "fps";
-  const NumberEdit rate = labelled(editor, "fps", "Speed", fps, speed, 84, "Frames a second");
-  applySetting(editor, rate, nodes::setFps(editor.document.graph(), fps), "Set frame rate");
+  const NumberEdit rate = labelled(room.ui, room.timeline, "fps", "Speed", fps, speed, 84, "Frames a second");
+  applySetting(room.ui, room.session, room.timeline, rate, nodes::setFps(room.session.document.graph(), fps),
+               "Set frame rate");
 }
 
 }  // namespace
 
-void drawTimeline(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
+void drawTimeline(const TimelineRoom& room, ImVec2 min, ImVec2 max) {
+  const Theme& theme = room.ui.theme;
   const float bar = theme.px(36);
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  updateRest(editor.timeline.rest, min, max);
+  updateRest(room.timeline.rest, min, max);
   draw->AddRectFilled(min, max, palette::kPanel);
   draw->AddRectFilled(min, {max.x, min.y + bar}, palette::kBar);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + 0.5f * (bar - ImGui::GetFrameHeight())});
-  transport(editor);
+  transport(room);
   ImGui::SameLine(0, theme.space(4));
-  fields(editor);
+  fields(room);
   ImGui::SetCursorScreenPos({max.x - bar, min.y});
-  if (ImGui::InvisibleButton("timeline close", {bar, bar})) editor.settings.showTimeline = false;
-  editor.trace.item("timeline/close");
+  if (ImGui::InvisibleButton("timeline close", {bar, bar})) room.settings.showTimeline = false;
+  room.ui.trace.item("timeline/close");
   drawText(draw, theme.small,
            {max.x - 0.5f * (bar + textWidth(theme.small, icon::kTimes)),
             min.y + 0.5f * (bar - theme.small->FontSize)},
            ImGui::IsItemHovered() ? palette::kText : palette::kTextDim, icon::kTimes, bar);
-  drawTimelineRows(editor, {min.x, min.y + bar}, max);
-  editor.trace.rect("timeline", min, max);
+  drawTimelineRows(room, {min.x, min.y + bar}, max);
+  room.ui.trace.rect("timeline", min, max);
 }
 
 }  // namespace pileus::editor

@@ -4,8 +4,8 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct TimelineRoom;
 
-void drawTimeline(Editor& editor, ImVec2 min, ImVec2 max);
+void drawTimeline(const TimelineRoom& room, ImVec2 min, ImVec2 max);
 
 }  // namespace pileus::editor

@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/commands/actions.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
 #include "editor/time/playback.h"
 #include "editor/time/timeline_edits.h"
+#include "editor/timeline_view/timeline_room.h"
+#include "editor/timeline_view/timeline_state.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -17,7 +22,7 @@ namespace {
 constexpr float kNames = 190, kRuler = 24, kRow = 22, kReach = 7;  // design pixels
 
 struct Rows {
-  Editor& editor;
+  const TimelineRoom& room;
   Timeline& t;
   const Theme& theme;
   ImDrawList* draw;
@@ -37,11 +42,11 @@ std::string frameText(double frame) { return fmt::format("{:g}", frame + 0.0); }
 
 /// Half the width of the playhead's number.
 float playheadHalf(const Rows& r) {
-  return 0.5f * textWidth(r.theme.small, std::to_string(r.editor.frame)) + r.theme.px(4);
+  return 0.5f * textWidth(r.theme.small, std::to_string(r.room.clock.frame)) + r.theme.px(4);
 }
 
 void drawBackground(const Rows& r) {
-  const nodes::Settings& s = r.editor.document.root().settings;
+  const nodes::Settings& s = r.room.session.document.root().settings;
   r.draw->AddRectFilled({r.left, r.min.y}, r.max, palette::kField);
   // The range is lighter than what lies outside of it.
   const float from = std::clamp(r.x(s.frames.x), r.left, r.max.x),
@@ -54,7 +59,7 @@ void drawBackground(const Rows& r) {
   for (double f = std::ceil(r.t.scale.first / step) * step; f <= r.t.scale.last; f += step) {
     r.draw->AddLine({r.x(f), r.top - r.theme.px(8)}, {r.x(f), r.max.y}, palette::kLine);
     // Where the playhead has its own number there is no room for another.
-    const float left = r.x(f) + r.theme.px(3), head = r.x(r.editor.frame), half = playheadHalf(r);
+    const float left = r.x(f) + r.theme.px(3), head = r.x(r.room.clock.frame), half = playheadHalf(r);
     if (left < head + half && left + textWidth(r.theme.small, frameText(f)) > head - half) continue;
     drawText(r.draw, r.theme.small, {left, r.min.y + r.theme.px(2)}, palette::kTextDim, frameText(f),
              r.theme.px(60));
@@ -82,7 +87,7 @@ void drawNames(const Rows& r) {
       r.draw->AddRectFilled({r.min.x, y - 0.5f * r.row}, {r.max.x, y + 0.5f * r.row}, palette::kRowAlt);
     const std::string_view name =
         i == 0 ? std::string_view("All keys") : r.rows[static_cast<std::size_t>(i - 1)].title;
-    if (i > 0) r.editor.trace.note(fmt::format("timeline row {}", i), std::string(name));
+    if (i > 0) r.room.ui.trace.note(fmt::format("timeline row {}", i), std::string(name));
     drawText(r.draw, r.theme.small, {r.min.x + r.theme.space(3), y - 0.5f * r.theme.small->FontSize},
              i == 0 ? palette::kTextDim : palette::kText, name, r.left - r.min.x - r.theme.space(5));
   }
@@ -97,22 +102,23 @@ void drawKeys(const Rows& r) {
       r.draw->AddLine({r.x(row.keys.front().frame), r.middle(i)}, {r.x(row.keys.back().frame), r.middle(i)},
                       palette::kAccentDim, r.theme.px(2));
     for (const nodes::AnimationKey& k : row.keys) {
-      const bool selected = !r.t.selected.empty() && r.t.selected.contains({row.node, row.param, k.frame});
+      const bool selected = !r.room.clock.keys.selected.empty() &&
+                            r.room.clock.keys.selected.contains({row.node, row.param, k.frame});
       drawKey(r, k.frame, 0, selected, nodes::Interpolation::Linear);
       drawKey(r, k.frame, i, selected, k.interpolation);
-      if (!r.editor.trace.on()) continue;
+      if (!r.room.ui.trace.on()) continue;
       const float size = r.theme.px(5);
-      r.editor.trace.rect(fmt::format("key/{}.{}/{:g}", row.node, row.param, k.frame),
-                          {r.x(k.frame) - size, r.middle(i) - size},
-                          {r.x(k.frame) + size, r.middle(i) + size});
+      r.room.ui.trace.rect(fmt::format("key/{}.{}/{:g}", row.node, row.param, k.frame),
+                           {r.x(k.frame) - size, r.middle(i) - size},
+                           {r.x(k.frame) + size, r.middle(i) + size});
     }
   }
   r.draw->PopClipRect();
 }
 
 void drawPlayhead(const Rows& r) {
-  const float x = std::round(r.x(r.editor.frame));
-  const std::string text = std::to_string(r.editor.frame);
+  const float x = std::round(r.x(r.room.clock.frame));
+  const std::string text = std::to_string(r.room.clock.frame);
   const float half = playheadHalf(r);
   r.draw->PushClipRect({r.left, r.min.y}, r.max, true);
   r.draw->AddLine({x, r.min.y}, {x, r.max.y}, palette::kAccent, r.theme.px(1.5f));
@@ -121,7 +127,7 @@ void drawPlayhead(const Rows& r) {
   drawText(r.draw, r.theme.small, {x - half + r.theme.px(4), 0.5f * (lo.y + hi.y - r.theme.small->FontSize)},
            palette::kTextStrong, text, 2 * half);
   r.draw->PopClipRect();
-  r.editor.trace.rect("timeline/playhead", lo, hi);
+  r.room.ui.trace.rect("timeline/playhead", lo, hi);
 }
 
 void scaleGestures(const Rows& r) {
@@ -135,12 +141,12 @@ void ruler(const Rows& r) {
   ImGui::SetCursorScreenPos({r.left, r.min.y});
   ImGui::InvisibleButton("timeline/ruler", {r.max.x - r.left, r.top - r.min.y},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-  r.editor.trace.item("timeline/ruler");
+  r.room.ui.trace.item("timeline/ruler");
   scaleGestures(r);
   if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(0)) return;
-  r.editor.preview.touch();
+  r.room.shown.preview.touch();
   const double frame = r.t.scale.toFrame(static_cast<double>(ImGui::GetIO().MousePos.x));
-  goToFrame(r.editor, static_cast<int>(std::lround(std::clamp(frame, -1e6, 1e6))));
+  goToFrame(r.room.clock, static_cast<int>(std::lround(std::clamp(frame, -1e6, 1e6))));
 }
 
 KeySelection pick(const Rows& r, ImVec2 at) {
@@ -152,7 +158,7 @@ KeySelection pick(const Rows& r, ImVec2 at) {
 
 /// A click on keys selects them, unless they are part of what is selected; Shift adds and takes away.
 void selectPicked(const Rows& r, const KeySelection& picked, bool shift) {
-  KeySelection& selected = r.t.selected;
+  KeySelection& selected = r.room.clock.keys.selected;
   const bool all = std::includes(selected.begin(), selected.end(), picked.begin(), picked.end());
   if (shift && all)
     for (const KeyRef& k : picked) selected.erase(k);
@@ -169,12 +175,14 @@ void beginDrag(const Rows& r) {
   r.t.fromX = static_cast<double>(io.MousePos.x), r.t.fromY = static_cast<double>(io.MousePos.y);
   r.t.moved = false;
   r.t.drag = picked.empty() ? Timeline::Drag::Box : Timeline::Drag::Keys;
-  if (!picked.empty()) beginKeyMove(r.editor);
+  if (!picked.empty()) beginKeyMove(r.room.session, r.room.clock);
 }
 
 /// Esc: as if it had not begun.
 void cancelDrag(const Rows& r) {
-  if (r.t.drag == Timeline::Drag::Keys) moveSelectedKeys(r.editor, 0), endKeyMove(r.editor);
+  if (r.t.drag == Timeline::Drag::Keys)
+    moveSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock, 0),
+        endKeyMove(r.room.session, r.room.clock);
   r.t.drag = Timeline::Drag::None;
 }
 
@@ -187,7 +195,9 @@ void drag(const Rows& r) {
   r.t.moved = true;
   if (r.t.drag == Timeline::Drag::Keys) {
     const double frames = dx / r.t.scale.perFrame();
-    return moveSelectedKeys(r.editor, io.KeyCtrl ? std::round(frames * 10) / 10 : std::round(frames));
+    r.room.shown.preview.touch();
+    return moveSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock,
+                            io.KeyCtrl ? std::round(frames * 10) / 10 : std::round(frames));
   }
   r.draw->AddRectFilled({static_cast<float>(r.t.fromX), static_cast<float>(r.t.fromY)}, io.MousePos,
                         faded(palette::kAccent, 0.15f));
@@ -197,13 +207,13 @@ void drag(const Rows& r) {
 
 void endDrag(const Rows& r) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (r.t.drag == Timeline::Drag::Keys) endKeyMove(r.editor);
+  if (r.t.drag == Timeline::Drag::Keys) endKeyMove(r.room.session, r.room.clock);
   if (r.t.drag == Timeline::Drag::Box && r.t.moved) {
     const KeySelection box =
         keysInBox(r.rows, r.rowAt(static_cast<float>(r.t.fromY)), r.rowAt(io.MousePos.y),
                   r.t.scale.toFrame(r.t.fromX), r.t.scale.toFrame(static_cast<double>(io.MousePos.x)));
-    if (!io.KeyShift) r.t.selected.clear();
-    r.t.selected.insert(box.begin(), box.end());
+    if (!io.KeyShift) r.room.clock.keys.selected.clear();
+    r.room.clock.keys.selected.insert(box.begin(), box.end());
   }
   r.t.drag = Timeline::Drag::None;
 }
@@ -211,16 +221,17 @@ void endDrag(const Rows& r) {
 void contextMenu(const Rows& r) {
   if (!ImGui::BeginPopup("timeline keys")) return;
   for (const auto& item : enumInfo(static_cast<nodes::Interpolation*>(nullptr))) {
-    if (ImGui::MenuItem(item.label.data())) interpolateSelectedKeys(r.editor, item.value);
-    r.editor.trace.item("timeline/menu/" + std::string(item.id));
+    if (ImGui::MenuItem(item.label.data()))
+      interpolateSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock, item.value);
+    r.room.ui.trace.item("timeline/menu/" + std::string(item.id));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("Go to Key") && !r.t.selected.empty())
-    goToFrame(r.editor, static_cast<int>(std::lround(r.t.selected.begin()->frame)));
-  r.editor.trace.item("timeline/menu/go");
+  if (ImGui::MenuItem("Go to Key") && !r.room.clock.keys.selected.empty())
+    goToFrame(r.room.clock, static_cast<int>(std::lround(r.room.clock.keys.selected.begin()->frame)));
+  r.room.ui.trace.item("timeline/menu/go");
   ImGui::Separator();
   for (const char* id : {"timeline.cut", "timeline.copy", "timeline.paste", "timeline.delete"})
-    actionMenuItem(r.editor, id);
+    commandMenuItem(r.room.ui, id);
   ImGui::EndPopup();
 }
 
@@ -230,7 +241,7 @@ void keyGestures(const Rows& r) {
   ImGui::InvisibleButton("timeline/keys", {r.max.x - r.left, r.max.y - r.top},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                              ImGuiButtonFlags_MouseButtonRight);
-  r.editor.trace.item("timeline/keys");
+  r.room.ui.trace.item("timeline/keys");
   scaleGestures(r);
   const bool hovered = ImGui::IsItemHovered();
   if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(0)) beginDrag(r);
@@ -247,7 +258,7 @@ void keyGestures(const Rows& r) {
 /// What is gone is not selected.
 void checkSelection(const Rows& r) {
   if (r.t.drag != Timeline::Drag::None) return;
-  std::erase_if(r.t.selected, [&](const KeyRef& ref) {
+  std::erase_if(r.room.clock.keys.selected, [&](const KeyRef& ref) {
     return std::none_of(r.rows.begin(), r.rows.end(), [&](const AnimatedRow& row) {
       return row.node == ref.node && row.param == ref.param &&
              std::any_of(row.keys.begin(), row.keys.end(),
@@ -265,15 +276,15 @@ void scrollRows(const Rows& r) {
 
 }  // namespace
 
-void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
-  Timeline& t = editor.timeline;
+void drawTimelineRows(const TimelineRoom& room, ImVec2 min, ImVec2 max) {
+  const Theme& theme = room.ui.theme;
+  Timeline& t = room.timeline;
   const float left = min.x + std::min(theme.px(kNames), 0.35f * (max.x - min.x));
-  if (!t.fitted) t.scale.fit(editor.document.root().settings.frames), t.fitted = true;
+  if (!t.fitted) t.scale.fit(room.session.document.root().settings.frames), t.fitted = true;
   t.scale.left = static_cast<double>(left);
   t.scale.right = std::max(static_cast<double>(max.x), t.scale.left + 1);
-  Rows r{editor, t,   theme, ImGui::GetWindowDrawList(), shownRows(t.rows, editor.document),
-         min,    max, left,  min.y + theme.px(kRuler),   theme.px(kRow)};
+  Rows r{room, t,   theme, ImGui::GetWindowDrawList(), shownRows(room.clock.keys.rows, room.session.document),
+         min,  max, left,  min.y + theme.px(kRuler),   theme.px(kRow)};
   checkSelection(r);
   scrollRows(r);
   r.draw->PushClipRect(min, max, true);
@@ -283,7 +294,7 @@ void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max) {
     drawNames(r), drawKeys(r);
   else
     drawText(r.draw, theme.small, {left + theme.space(4), r.top + theme.space(3)}, palette::kTextDim,
-             editor.document.selection().empty()
+             room.session.document.selection().empty()
                  ? "Nothing is animated yet. Press I over a parameter to set a key at this frame."
                  : "The selection is not animated. Press I over a parameter to set a key at this frame.",
              max.x - left - theme.space(6));

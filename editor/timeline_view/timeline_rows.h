@@ -4,8 +4,8 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct TimelineRoom;
 
-void drawTimelineRows(Editor& editor, ImVec2 min, ImVec2 max);
+void drawTimelineRows(const TimelineRoom& room, ImVec2 min, ImVec2 max);
 
 }  // namespace pileus::editor

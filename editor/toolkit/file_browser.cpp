@@ -6,7 +6,10 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/window.h"
 
 namespace fs = std::filesystem;
 
@@ -21,7 +24,7 @@ bool pressed(ImGuiKey key, bool repeat = false) {
 
 }  // namespace
 
-void FileBrowser::open(Editor& editor, BrowserRequest request) {
+void FileBrowser::open(const Settings& settings, BrowserRequest request) {
   request_ = std::move(request);
   open_ = appear_ = focusName_ = true;
   askReplace_ = showAll_ = go_ = false;
@@ -35,7 +38,7 @@ void FileBrowser::open(Editor& editor, BrowserRequest request) {
     start = start.parent_path();
   }
   if (start.empty() || !fs::is_directory(start, ec)) {
-    const std::vector<std::string>& recent = editor.settings.recentFolders;
+    const std::vector<std::string>& recent = settings.recentFolders;
     const auto alive = std::find_if(recent.begin(), recent.end(),
                                     [&](const std::string& f) { return fs::is_directory(f, ec); });
     start = alive != recent.end() ? fs::path(*alive) : fs::current_path(ec);
@@ -78,12 +81,11 @@ void FileBrowser::select(int row) {
   error_.clear();
 }
 
-void FileBrowser::finish(Editor& editor, const fs::path& path) {
-  remember(editor.settings.recentFolders, path.parent_path().string(), 8);
+void FileBrowser::finish(Ui& ui, Settings& settings, const fs::path& path) {
+  remember(settings.recentFolders, path.parent_path().string(), 8);
   open_ = false;
   ImGui::CloseCurrentPopup();
-  const auto done = std::move(request_.done);  // it may open the browser again
-  if (done) done(path);
+  if (request_.done) ui.requests.push([done = std::move(request_.done), path] { done(path); });
 }
 
 fs::path FileBrowser::typedPath() const {
@@ -91,7 +93,7 @@ fs::path FileBrowser::typedPath() const {
   return name.is_absolute() ? name : folder_ / name;
 }
 
-void FileBrowser::choose(Editor& editor) {
+void FileBrowser::choose(Ui& ui, Settings& settings) {
   if (name_.empty()) return void(error_ = "Type or choose a name.");
   fs::path path = typedPath();
   std::error_code ec;
@@ -103,17 +105,17 @@ void FileBrowser::choose(Editor& editor) {
     if (!hasKind(path.filename().string(), request_.kinds)) path += "." + request_.kinds.front();
     if (!fs::is_directory(path.parent_path(), ec))
       return void(error_ = fmt::format("The folder {} does not exist.", path.parent_path().string()));
-    if (!fs::exists(path, ec)) return finish(editor, path);
+    if (!fs::exists(path, ec)) return finish(ui, settings, path);
     replacing_ = path;
     askReplace_ = true;
     return;
   }
-  if (fs::exists(path, ec)) return finish(editor, path);
+  if (fs::exists(path, ec)) return finish(ui, settings, path);
   const auto sequence = std::find_if(entries_.begin(), entries_.end(), [&](const FileEntry& e) {
     return e.count > 0 && e.name == path.filename().string() && path.parent_path() == folder_;
   });
   if (sequence == entries_.end()) return void(error_ = fmt::format("{} does not exist.", path.string()));
-  finish(editor, request_.sequences ? path : folder_ / sequence->firstName);
+  finish(ui, settings, request_.sequences ? path : folder_ / sequence->firstName);
 }
 
 void FileBrowser::handleKeys() {
@@ -128,8 +130,8 @@ void FileBrowser::handleKeys() {
   }
 }
 
-void FileBrowser::draw(Editor& editor) {
-  const Theme& theme = editor.theme;
+void FileBrowser::draw(Ui& ui, Settings& settings, std::span<const KeyPress> keys, const fs::path& document) {
+  const Theme& theme = ui.theme;
   if (appear_) ImGui::OpenPopup(kTitle);
   appear_ = false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -142,15 +144,15 @@ void FileBrowser::draw(Editor& editor) {
   ImGui::PopStyleVar(2);
   if (!visible) return;
   go_ = false;
-  for (const KeyPress& key : editor.window->keys()) focusFilter_ |= key.key == 'F' && key.ctrl;
+  for (const KeyPress& key : keys) focusFilter_ |= key.key == 'F' && key.ctrl;
   handleKeys();
-  drawTop(editor);
-  drawPlaces(editor);
+  drawTop(ui, settings);
+  drawPlaces(ui, settings, document);
   ImGui::SameLine();
-  drawEntries(editor);
-  drawName(editor);
-  drawNotice(editor);
-  if (open_) drawBottom(editor);
+  drawEntries(ui);
+  drawName(ui);
+  drawNotice(ui, settings);
+  if (open_) drawBottom(ui);
   if (open_ && go_) {
     askReplace_ = false;
     const FileEntry* entry = row_ >= 0 && row_ < static_cast<int>(entries_.size())
@@ -162,7 +164,7 @@ void FileBrowser::draw(Editor& editor) {
       enter(into);
       focusName_ = true;
     } else {
-      choose(editor);
+      choose(ui, settings);
       focusName_ = open_;
     }
   }

@@ -4,6 +4,7 @@
 // the keyboard: arrows choose, Enter opens, Alt+Up goes to the folder above, Tab completes.
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct KeyPress;
+struct Settings;
+struct Ui;
 
 struct BrowserRequest {
   std::string title, button;       ///< "Open graph", "Open"
@@ -24,8 +27,10 @@ struct BrowserRequest {
 
 class FileBrowser {
  public:
-  void open(Editor& editor, BrowserRequest request);
-  void draw(Editor& editor);  ///< once a frame
+  void open(const Settings& settings, BrowserRequest request);
+  /// Once a frame. `keys`: of this frame; `document`: the document's folder, "" = it has none.
+  void draw(Ui& ui, Settings& settings, std::span<const KeyPress> keys,
+            const std::filesystem::path& document);
   bool isOpen() const { return open_; }
 
  private:
@@ -34,16 +39,16 @@ class FileBrowser {
   void arrange();  ///< what is listed of it, in order
   void select(int row);
   void handleKeys();
-  void drawTop(Editor& editor);
-  void drawPlaces(Editor& editor);
-  void drawEntries(Editor& editor);
-  void drawRow(Editor& editor, int row, float width);
-  void drawBottom(Editor& editor);
-  void drawNotice(Editor& editor);
-  void drawName(Editor& editor);
+  void drawTop(Ui& ui, Settings& settings);
+  void drawPlaces(Ui& ui, Settings& settings, const std::filesystem::path& document);
+  void drawEntries(Ui& ui);
+  void drawRow(Ui& ui, int row, float width);
+  void drawBottom(Ui& ui);
+  void drawNotice(Ui& ui, Settings& settings);
+  void drawName(Ui& ui);
   std::filesystem::path typedPath() const;
-  void choose(Editor& editor);
-  void finish(Editor& editor, const std::filesystem::path& path);
+  void choose(Ui& ui, Settings& settings);
+  void finish(Ui& ui, Settings& settings, const std::filesystem::path& path);
 
   BrowserRequest request_;
   bool open_ = false, appear_ = false, askReplace_ = false, focusName_ = false, focusFilter_ = false;

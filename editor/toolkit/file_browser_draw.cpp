@@ -5,10 +5,13 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/file_browser.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/window.h"
 
 namespace fs = std::filesystem;
 
@@ -28,16 +31,16 @@ Columns columns(const Theme& theme, float width) { return {width - theme.px(142)
 
 }  // namespace
 
-void FileBrowser::drawTop(Editor& editor) {
-  const Theme& theme = editor.theme;
+void FileBrowser::drawTop(Ui& ui, Settings& settings) {
+  const Theme& theme = ui.theme;
   ImGui::PushFont(theme.title);
   ImGui::TextUnformatted(request_.title.c_str());
   ImGui::PopFont();
   if (ImGui::Button(icon::kArrowUp)) enter(folder_.parent_path());
-  editor.trace.item("browser/up");
+  ui.trace.item("browser/up");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Folder above (Alt+Up)");
   ImGui::SameLine();
-  std::vector<std::string>& marks = editor.settings.folderBookmarks;
+  std::vector<std::string>& marks = settings.folderBookmarks;
   const auto marked = std::find(marks.begin(), marks.end(), folder_.string());
   ImGui::PushStyleColor(ImGuiCol_Text, marked != marks.end() ? palette::kSelect : palette::kTextDim);
   if (ImGui::Button(icon::kBookmark)) {
@@ -47,7 +50,7 @@ void FileBrowser::drawTop(Editor& editor) {
       marks.push_back(folder_.string());
   }
   ImGui::PopStyleColor();
-  editor.trace.item("browser/bookmark");
+  ui.trace.item("browser/bookmark");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Keep this folder among the places, or remove it");
   ImGui::SameLine();
   const float search = theme.px(190);
@@ -70,18 +73,18 @@ void FileBrowser::drawTop(Editor& editor) {
   if (ImGui::InputTextWithHint("##filter", (std::string(icon::kSearch) + "  Filter (Ctrl+F)").c_str(),
                                &filter_))
     arrange();
-  editor.trace.item("browser/filter");
+  ui.trace.item("browser/filter");
 }
 
-void FileBrowser::drawPlaces(Editor& editor) {
-  const Theme& theme = editor.theme;
+void FileBrowser::drawPlaces(Ui& ui, Settings& settings, const fs::path& document) {
+  const Theme& theme = ui.theme;
   ImGui::BeginChild("places", {theme.px(166), theme.px(340)}, false);
   const auto place = [&](const char* mark, const std::string& label, const fs::path& folder) {
     ImGui::PushID(folder.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable("##place", folder == folder_)) enter(folder);
-    editor.trace.item("place/" + label);
+    ui.trace.item("place/" + label);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", folder.c_str());
     editor::drawText(ImGui::GetWindowDrawList(), theme.body, {at.x + theme.px(2), at.y}, palette::kTextDim,
                      mark, width);
@@ -98,24 +101,23 @@ void FileBrowser::drawPlaces(Editor& editor) {
   };
   place(icon::kHome, "Home", expandedHome("~"));
   place(icon::kDesktop, "Computer", "/");
-  if (!editor.document.path().empty())
-    place(icon::kFile, "This document", fs::absolute(editor.document.path()).parent_path());
-  if (!editor.settings.folderBookmarks.empty()) {
+  if (!document.empty()) place(icon::kFile, "This document", fs::absolute(document));
+  if (!settings.folderBookmarks.empty()) {
     section("Bookmarks");
-    for (const std::string& f : std::vector<std::string>(editor.settings.folderBookmarks))
+    for (const std::string& f : std::vector<std::string>(settings.folderBookmarks))
       place(icon::kBookmark, folderName(f), f);
     ImGui::PopID();
   }
-  if (!editor.settings.recentFolders.empty()) {
+  if (!settings.recentFolders.empty()) {
     section("Recent");
-    for (const std::string& f : editor.settings.recentFolders) place(icon::kFolder, folderName(f), f);
+    for (const std::string& f : settings.recentFolders) place(icon::kFolder, folderName(f), f);
     ImGui::PopID();
   }
   ImGui::EndChild();
 }
 
-void FileBrowser::drawRow(Editor& editor, int row, float width) {
-  const Theme& theme = editor.theme;
+void FileBrowser::drawRow(Ui& ui, int row, float width) {
+  const Theme& theme = ui.theme;
   const FileEntry& entry = entries_[static_cast<std::size_t>(row)];
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(row);
@@ -125,7 +127,7 @@ void FileBrowser::drawRow(Editor& editor, int row, float width) {
     // Folders open with one click, as they always did; files with two.
     if (entry.folder || ImGui::IsMouseDoubleClicked(0)) go_ = true;
   }
-  editor.trace.item("entry/" + entry.name);
+  ui.trace.item("entry/" + entry.name);
   ImGui::PopID();
   if (row == row_ && scrollToRow_) {
     ImGui::SetScrollHereY();
@@ -146,8 +148,8 @@ void FileBrowser::drawRow(Editor& editor, int row, float width) {
   right(c.date, dateText(entry.time));
 }
 
-void FileBrowser::drawEntries(Editor& editor) {
-  const Theme& theme = editor.theme;
+void FileBrowser::drawEntries(Ui& ui) {
+  const Theme& theme = ui.theme;
   ImGui::BeginGroup();
   const float pad = theme.space(2), whole = ImGui::GetContentRegionAvail().x;
   const float width = whole - 2 * pad - ImGui::GetStyle().ScrollbarSize;
@@ -165,7 +167,7 @@ void FileBrowser::drawEntries(Editor& editor) {
       order_ = order;
       arrange();
     }
-    editor.trace.item(std::string("browser/by ") + label);
+    ui.trace.item(std::string("browser/by ") + label);
     editor::drawText(ImGui::GetWindowDrawList(), theme.small, {ImGui::GetItemRectMin().x, at.y + theme.px(2)},
                      ImGui::IsItemHovered() || order_ == order ? palette::kText : palette::kTextDim, text,
                      w + 1);
@@ -183,7 +185,7 @@ void FileBrowser::drawEntries(Editor& editor) {
   clipper.Begin(static_cast<int>(entries_.size()), ImGui::GetTextLineHeightWithSpacing());
   if (scrollToRow_ && row_ >= 0) clipper.ForceDisplayRangeByIndices(row_, row_ + 1);
   while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) drawRow(editor, i, width);
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) drawRow(ui, i, width);
   if (entries_.empty())
     ImGui::TextDisabled("%s", !filter_.empty()                     ? "Nothing here has that in its name."
                               : request_.kinds.empty() || showAll_ ? "This folder is empty."
@@ -194,7 +196,7 @@ void FileBrowser::drawEntries(Editor& editor) {
   ImGui::EndGroup();
 }
 
-void FileBrowser::drawName(Editor& editor) {
+void FileBrowser::drawName(Ui& ui) {
   struct Completion {
     const FileBrowser* browser;
   } completion{this};
@@ -217,17 +219,17 @@ void FileBrowser::drawName(Editor& editor) {
           ImGuiInputTextFlags_CallbackCompletion,
       complete, &completion);
   if (ImGui::IsItemEdited()) row_ = -1;  // Enter means what is typed
-  editor.trace.item("browser/name");
+  ui.trace.item("browser/name");
 }
 
-void FileBrowser::drawNotice(Editor& editor) {
+void FileBrowser::drawNotice(Ui& ui, Settings& settings) {
   if (!error_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kError);
     ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(error_.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
-    editor.trace.note("browser error", error_);
+    ui.trace.note("browser error", error_);
   }
   if (!askReplace_) return;
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
@@ -235,12 +237,12 @@ void FileBrowser::drawNotice(Editor& editor) {
       fmt::format("{}  {} exists already.", icon::kWarning, replacing_.filename().string()).c_str());
   ImGui::PopStyleColor();
   ImGui::SameLine();
-  if (ImGui::Button("Replace")) finish(editor, replacing_);
-  editor.trace.item("browser/replace");
+  if (ImGui::Button("Replace")) finish(ui, settings, replacing_);
+  ui.trace.item("browser/replace");
 }
 
-void FileBrowser::drawBottom(Editor& editor) {
-  const Theme& theme = editor.theme;
+void FileBrowser::drawBottom(Ui& ui) {
+  const Theme& theme = ui.theme;
   if (!request_.kinds.empty()) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
     if (ImGui::Checkbox("All files", &showAll_)) arrange();
@@ -256,12 +258,12 @@ void FileBrowser::drawBottom(Editor& editor) {
   const float button = theme.px(110);
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * button - theme.space(2));
   const bool cancel = ImGui::Button("Cancel", {button, 0});
-  editor.trace.item("browser/cancel");
+  ui.trace.item("browser/cancel");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
   go_ |= ImGui::Button(request_.button.c_str(), {button, 0});
   ImGui::PopStyleColor();
-  editor.trace.item("browser/ok");
+  ui.trace.item("browser/ok");
   if (!cancel && !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;
   go_ = false;
   open_ = false;

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/number_text.h"
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 namespace {
@@ -16,6 +17,7 @@ constexpr double kWheelRest = 0.6;  // seconds after which wheel notches are a s
 
 void typeInto(NumberFieldState& state, ImGuiID id, double value, const NumberField& f) {
   state.typing = id;
+  state.drawn = ImGui::GetFrameCount();
   state.focus = true;
   state.live = state.wasRefused = false;
   state.before = value;
@@ -206,6 +208,7 @@ NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* 
   ImGui::PushID(id);
   const ImGuiID self = ImGui::GetID("field");
   const ImGuiIO& io = ImGui::GetIO();
+  if (state.typing == self || state.active == self) state.drawn = ImGui::GetFrameCount();
   if (state.typing == self && !f.locked) {
     edit = typeField(state, theme, value, f, width);
     ImGui::PopID();
@@ -217,6 +220,7 @@ NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* 
   const int over = hovered || active ? buttonAt(theme, lo, hi, f) : 0;
   if (ImGui::IsItemActivated() && !f.locked) {
     state.active = self;
+    state.drawn = ImGui::GetFrameCount();
     state.raw = value;
     state.moved = false;
     state.button = io.KeyCtrl ? 0 : over;

@@ -11,6 +11,8 @@
 
 namespace pileus::editor {
 
+struct Theme;
+
 struct NumberField : NumberRange {
   const char* unit = "";  ///< typed quantities are converted to it
   bool showUnit = true;
@@ -39,6 +41,10 @@ struct NumberFieldState {
   bool moved = false, focus = false, live = false, wasRefused = false;
   int button = 0;             ///< -1, 1: pressed on the buttons of an integer
   std::string text, refusal;  ///< refusal: why the text last typed was not taken
+  int drawn = -1;             ///< ImGui's frame in which that field was last drawn
+
+  /// In this frame or the one before it.
+  bool shown() const { return drawn >= ImGui::GetFrameCount() - 1; }
 };
 
 NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* id, double& value,

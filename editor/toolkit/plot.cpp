@@ -6,7 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 namespace {

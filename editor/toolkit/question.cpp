@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "editor/app/editor.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
 
 /// Which answer was given this frame; -1: none yet.
-int drawAnswers(Editor& editor, const Question& question) {
+int drawAnswers(Ui& ui, const Question& question) {
   int chosen = -1;
   const bool fresh = ImGui::IsWindowAppearing();
   for (std::size_t i = 0; i < question.answers.size(); ++i) {
@@ -22,10 +23,10 @@ int drawAnswers(Editor& editor, const Question& question) {
       ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
     }
     const char* label = question.answers[i].label.c_str();
-    const float width = std::max(editor.theme.px(112), ImGui::CalcTextSize(label).x + editor.theme.space(6));
+    const float width = std::max(ui.theme.px(112), ImGui::CalcTextSize(label).x + ui.theme.space(6));
     if (ImGui::Button(label, {width, 0})) chosen = static_cast<int>(i);
     if (primary) ImGui::PopStyleColor(2);
-    editor.trace.item("dialog/" + question.id + "/" + std::to_string(i));
+    ui.trace.item("dialog/" + question.id + "/" + std::to_string(i));
   }
   if (!fresh && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) chosen = 0;
   if (!fresh && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
@@ -35,10 +36,9 @@ int drawAnswers(Editor& editor, const Question& question) {
 
 }  // namespace
 
-void drawQuestions(Editor& editor) {
-  Questions& questions = editor.dialogs.questions;
+void drawQuestions(Ui& ui, Questions& questions) {
   if (!questions.open()) return;
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   if (!ImGui::IsPopupOpen("Question")) ImGui::OpenPopup("Question");
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.46f}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -57,17 +57,17 @@ void drawQuestions(Editor& editor) {
   ImGui::Dummy({0, theme.px(2)});
   ImGui::TextUnformatted(question.text.c_str());
   ImGui::PopTextWrapPos();
-  editor.trace.note("question", question.title + "\n" + question.text);
+  ui.trace.note("question", question.title + "\n" + question.text);
   ImGui::Dummy({0, theme.space(2)});
-  const int chosen = drawAnswers(editor, question);
-  std::function<void(Editor&)> then;
+  const int chosen = drawAnswers(ui, question);
+  std::function<void()> then;
   if (chosen >= 0) {
     then = question.answers[static_cast<std::size_t>(chosen)].run;
     questions.waiting.pop_front();  // before it runs: it may ask the next one
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (then) then(editor);
+  if (then) ui.requests.push(std::move(then));
 }
 
 }  // namespace pileus::editor

@@ -7,12 +7,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
-
 struct Question {
   struct Answer {
     std::string label;
-    std::function<void(Editor&)> run;  ///< may be empty: just closes
+    std::function<void()> run;  ///< may be empty: just closes
   };
   std::string id;           ///< for the trace: "dialog/<id>/0"
   std::string title, text;  ///< text wraps
@@ -26,6 +24,7 @@ struct Questions {
   bool open() const { return !waiting.empty(); }
 };
 
-void drawQuestions(Editor& editor);
+struct Ui;
+void drawQuestions(Ui& ui, Questions& questions);
 
 }  // namespace pileus::editor

@@ -5,26 +5,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 
-RunClick runRow(Editor& editor, const std::string& prefix, const char* label, bool running, bool ready,
+RunClick runRow(Ui& ui, const std::string& prefix, const char* label, bool running, bool ready, bool waits,
                 double fraction, const std::string& doing, float width) {
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   RunClick click = RunClick::None;
   const float button = theme.px(84);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (running) {
     if (ImGui::Button("Cancel", {button, 0})) click = RunClick::Stop;
-    editor.trace.item(prefix + "/cancel");
+    ui.trace.item(prefix + "/cancel");
   } else {
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
     ImGui::BeginDisabled(!ready);
     if (ImGui::Button(label, {button, 0})) click = RunClick::Start;
     ImGui::EndDisabled();
     ImGui::PopStyleColor();
-    editor.trace.item(prefix + "/run");
+    ui.trace.item(prefix + "/run");
     return click;
   }
   const float height = ImGui::GetFrameHeight(), x = at.x + button + theme.space(3), y = at.y + 0.5f * height,
@@ -36,10 +38,10 @@ RunClick runRow(Editor& editor, const std::string& prefix, const char* label, bo
                       {x + bar * static_cast<float>(std::clamp(fraction, 0.0, 1.0)), y + theme.px(3)},
                       palette::kAccent, theme.px(3));
   const std::string text = fmt::format("{} %  {}", static_cast<int>(std::floor(100 * fraction)),
-                                       editor.preview.settled() ? doing : "Waits for the picture");
+                                       waits ? "Waits for the picture" : doing);
   drawText(draw, theme.small, {x + bar + theme.space(2), y - 0.5f * theme.small->FontSize}, palette::kTextDim,
            text, std::max(width - (x + bar + theme.space(2) - at.x), 1.0f));
-  editor.trace.note(prefix + " doing", text);
+  ui.trace.note(prefix + " doing", text);
   return click;
 }
 

@@ -1,15 +1,17 @@
 #include "editor/toolkit/segments.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 
-bool segment(Editor& editor, const std::string& trace, std::string_view label, std::string_view help, bool on,
+bool segment(Ui& ui, const std::string& trace, std::string_view label, std::string_view help, bool on,
              bool first, bool last) {
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   const float width = textWidth(theme.body, label) + 2 * theme.space(3), height = ImGui::GetFrameHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos(), end = {at.x + width, at.y + height};
   const bool clicked = ImGui::InvisibleButton(trace.c_str(), {width, height});
   const bool hovered = ImGui::IsItemHovered();
-  editor.trace.item(trace);
+  ui.trace.item(trace);
   const ImDrawFlags corners = first && last ? ImDrawFlags_RoundCornersAll
                               : first       ? ImDrawFlags_RoundCornersLeft
                               : last        ? ImDrawFlags_RoundCornersRight

@@ -125,6 +125,17 @@ void applyStyle(const Theme& theme) {
   set(ImGuiCol_TableRowBgAlt, palette::kRowAlt);
 }
 
+struct SocketInk {
+  std::string_view type;
+  const ImU32* color;
+};
+
+const SocketInk kSocketInks[] = {{"volume", &palette::kVolumeSocket}, {"light", &palette::kLightSocket},
+                                 {"metric", &palette::kMetricSocket}, {"camera", &palette::kCameraSocket},
+                                 {"solid", &palette::kSolidSocket},   {"image", &palette::kImageSocket},
+                                 {"number", &palette::kNumberSocket}, {"vector", &palette::kVectorSocket},
+                                 {"color", &palette::kColorSocket},   {"text", &palette::kTextSocket}};
+
 struct Category {
   std::string_view name;
   const ImU32* color;
@@ -189,30 +200,9 @@ Theme makeTheme(float scale, Appearance appearance) {
   return theme;
 }
 
-ImU32 socketColor(nodes::SocketType type) {
-  using T = nodes::SocketType;
-  switch (type) {
-    case T::Volume:
-      return palette::kVolumeSocket;
-    case T::Light:
-      return palette::kLightSocket;
-    case T::Metric:
-      return palette::kMetricSocket;
-    case T::Camera:
-      return palette::kCameraSocket;
-    case T::Solid:
-      return palette::kSolidSocket;
-    case T::Image:
-      return palette::kImageSocket;
-    case T::Number:
-      return palette::kNumberSocket;
-    case T::Vector:
-      return palette::kVectorSocket;
-    case T::Color:
-      return palette::kColorSocket;
-    case T::Text:
-      return palette::kTextSocket;
-  }
+ImU32 socketColor(std::string_view type) {
+  for (const SocketInk& s : kSocketInks)
+    if (s.type == type) return *s.color;
   return palette::kTextDim;
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "editor/preferences/appearance.h"
-#include "nodes/declare/value.h"
 
 namespace pileus::editor {
 
@@ -53,7 +52,8 @@ void setPalette(Appearance appearance);
 /// The same fonts in another appearance. Between frames.
 void setAppearance(Theme& theme, Appearance appearance);
 
-ImU32 socketColor(nodes::SocketType type);
+/// Of a socket type by its id ("light").
+ImU32 socketColor(std::string_view type);
 /// Header colour and icon of a node category; unknown categories are grey.
 ImU32 categoryColor(std::string_view category);
 /// A colour the user gave a node, so that a title on it reads in this theme.

@@ -1,17 +1,16 @@
 #pragma once
 // For tests that drive the window: when $PILEUS_UI_TRACE names a file, every drawn frame that looks different
-// leaves there, as JSON, where things are (window pixels) and what the document holds. Off, everything here
+// leaves there, as JSON, where things are (window pixels) and what the editor holds. Off, everything here
 // is a test of one bool.
 #include <imgui.h>
 
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 namespace pileus::editor {
-
-struct Editor;
 
 class UiTrace {
  public:
@@ -38,8 +37,9 @@ class UiTrace {
   void note(std::string name, std::string text) {
     if (on()) notes_[std::move(name)] = std::move(text);
   }
-  /// Writes the file if anything differs from the last one.
-  void end(const Editor& editor);
+  bool writes() const { return !path_.empty(); }
+  /// Writes the file if anything differs from the last one: rectangles, notes and `state`, an object.
+  void end(nlohmann::json state);
 
   double ms = 0;  ///< spent this frame on what only a trace needs
 

@@ -1,6 +1,7 @@
 #include "editor/toolkit/widgets.h"
 
-#include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 

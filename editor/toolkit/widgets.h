@@ -9,6 +9,8 @@
 
 namespace pileus::editor {
 
+struct Theme;
+
 /// ImGui::BeginCombo in the editor's look: a field with a quiet chevron. EndCombo as usual.
 bool beginCombo(const Theme& theme, const char* id, std::string_view shown, float width);
 /// A wrapped tooltip.

@@ -5,13 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "editor/app/editor.h"
+#include "editor/picture/display_mode.h"
+#include "nodes/declare/node_type.h"
+#include "renderer/view/display.h"
 
 namespace pileus::editor {
 
+struct ViewportRoom;
+
 /// What the parts of the bar work on.
 struct Bar {
-  Editor& editor;
+  const ViewportRoom& room;
   const std::string& view;  ///< the node whose parameters count
   const nodes::NodeType& type;
   view::DisplaySettings settings;

@@ -7,8 +7,10 @@
 #include <set>
 #include <tuple>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/picture/shown.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -72,18 +74,18 @@ ImU32 levelColor(int level) {
 
 }  // namespace
 
-void drawBricks(Editor& editor, const Projection& view) {
-  const Theme& theme = editor.theme;
+void drawBricks(Ui& ui, const Shown& shown, const Projection& view) {
+  const Theme& theme = ui.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImDrawListFlags flags = draw->Flags;
   draw->Flags &= ~ImDrawListFlags_AntiAliasedLines;  // thousands of lines: fast before smooth
   float y = view.max().y - theme.space(3) - theme.small->FontSize;
   std::string noted;
-  for (const PlacedVolume& v : editor.viewport.tools.scene.volumes) {
+  for (const PlacedVolume& v : shown.scene.volumes) {
     const volume::GridPtr& grid = v.instance.grid;
     if (v.instance.shape != volume::Shape::Grid || !grid || grid->empty()) continue;
     const Edges& edges = cachedEdges(grid);
-    const residency::ResidentGrid* place = editor.renderer->bricks().find(*grid);
+    const residency::ResidentGrid* place = shown.renderer.bricks().find(*grid);
     const bool resident = place && edges.level >= place->finest;
     const ImU32 ink = faded(levelColor(edges.level), resident ? 0.55f : 0.2f);
     const dmat4& m = v.instance.worldFromLocal;
@@ -106,7 +108,7 @@ void drawBricks(Editor& editor, const Projection& view) {
       y -= theme.small->FontSize + theme.px(8);
     }
   }
-  if (editor.trace.on() && !noted.empty()) editor.trace.note("overlay bricks", noted);
+  if (ui.trace.on() && !noted.empty()) ui.trace.note("overlay bricks", noted);
   draw->Flags = flags;
 }
 

@@ -4,7 +4,10 @@
 
 namespace pileus::editor {
 
+struct Shown;
+struct Ui;
+
 /// Coloured by level, dim where they are not on the GPU. Finer levels than can be told apart are left out.
-void drawBricks(Editor& editor, const Projection& view);
+void drawBricks(Ui& ui, const Shown& shown, const Projection& view);
 
 }  // namespace pileus::editor

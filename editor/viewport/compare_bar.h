@@ -4,8 +4,9 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Shown;
+struct Ui;
 
-void drawCompareBar(Editor& editor, ImVec2 min, ImVec2 max);
+void drawCompareBar(Ui& ui, Shown& shown, ImVec2 min, ImVec2 max);
 
 }  // namespace pileus::editor

@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport.h"
+#include "editor/viewport/viewport_room.h"
 #include "editor/viewport/wipe_line.h"
 
 namespace pileus::editor {
@@ -22,23 +27,24 @@ struct Sides {
   unsigned picture = 0, truth = 0;
 };
 
-unsigned drawn(Editor& editor, const view::ComparePass& pass, view::CompareDisplay::Show show, double scale,
+unsigned drawn(Shown& shown, const view::ComparePass& pass, view::CompareDisplay::Show show, double scale,
                int slot) {
-  Result<unsigned> texture = editor.compare.display.draw(editor.renderer->shaders(), pass, show, scale, slot);
+  Result<unsigned> texture = shown.compare.display.draw(shown.renderer.shaders(), pass, show, scale, slot);
   if (texture) return *texture;
-  if (editor.compare.error.empty()) editor.compare.error = texture.error().message;
+  if (shown.compare.error.empty()) shown.compare.error = texture.error().message;
   return 0;
 }
 
-Sides sidesOf(Editor& editor, ivec2 size) {
-  const CompareMode& mode = editor.compare;
+Sides sidesOf(Ui& ui, const Session& session, const Clock& clock, Shown& shown, ivec2 size) {
+  const CompareMode& mode = shown.compare;
   const view::ComparePass* pass = mode.shown();
   if (mode.of == CompareOf::Radiance)
-    return {editor.viewport.texture, pass ? displayTexture(editor, pass->truth(), size, 1) : 0};
+    return {shown.displayed.texture,
+            pass ? displayTexture(ui.messages, session, clock, shown, pass->truth(), size, 1) : 0};
   if (!pass) return {};
   using Show = view::CompareDisplay::Show;
-  return {drawn(editor, *pass, Show::MappedTransmittance, 1, 0),
-          drawn(editor, *pass, Show::TrueTransmittance, 1, 1)};
+  return {drawn(shown, *pass, Show::MappedTransmittance, 1, 0),
+          drawn(shown, *pass, Show::TrueTransmittance, 1, 1)};
 }
 
 /// "interval K=4, 8 cosines": what the picture's lights have in common.
@@ -68,8 +74,8 @@ std::string truthLabel(const CompareMode& mode) {
              : "Ray marched";
 }
 
-void label(Editor& editor, vec2 lo, vec2 hi, const std::string& text, bool right, const char* trace) {
-  const Theme& theme = editor.theme;
+void label(Ui& ui, vec2 lo, vec2 hi, const std::string& text, bool right, const char* trace) {
+  const Theme& theme = ui.theme;
   const vec2 pad(theme.space(2), theme.px(4));
   const float room = hi.x - lo.x - 2 * theme.space(2) - 2 * pad.x;
   if (room < theme.px(40)) return;
@@ -79,7 +85,7 @@ void label(Editor& editor, vec2 lo, vec2 hi, const std::string& text, bool right
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), palette::kChip, theme.px(4));
   drawText(draw, theme.small, at + pad, palette::kText, text, size.x + 1);
-  editor.trace.note(trace, text);
+  ui.trace.note(trace, text);
 }
 
 /// A picture, or where there is none yet what stands for it, between two lines of its rectangle.
@@ -92,34 +98,35 @@ void drawPart(vec2 lo, vec2 hi, unsigned texture, unsigned instead, float from, 
   if (!texture) draw->AddRectFilled(im(a), im(b), palette::kVeil);
 }
 
-void drawWipe(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
-  WipeLine line{editor.compare.wipe, editor.compare.draggingWipe};
-  moveWipeLine(editor, line, lo, hi, hovered);
-  editor.compare.wipe = line.at;
-  editor.compare.draggingWipe = line.held;
-  const auto at = static_cast<float>(editor.compare.wipe);
-  const Sides sides = sidesOf(editor, ivec2(hi - lo));
-  drawPart(lo, hi, sides.picture, editor.viewport.texture, 0, at);
+void drawWipe(const ViewportRoom& room, vec2 lo, vec2 hi, bool hovered) {
+  WipeLine line{room.shown.compare.wipe, room.shown.compare.draggingWipe};
+  moveWipeLine(room.ui.theme, room.viewport, line, lo, hi, hovered);
+  room.shown.compare.wipe = line.at;
+  room.shown.compare.draggingWipe = line.held;
+  const auto at = static_cast<float>(room.shown.compare.wipe);
+  const Sides sides = sidesOf(room.ui, room.session, room.clock, room.shown, ivec2(hi - lo));
+  drawPart(lo, hi, sides.picture, room.shown.displayed.texture, 0, at);
   drawPart(lo, hi, sides.truth, sides.picture, at, 1);
-  drawWipeLine(editor, line, lo, hi, "compare/line");
+  drawWipeLine(room.ui, line, lo, hi, "compare/line");
   const float x = std::round(glm::mix(lo.x, hi.x, at));
-  label(editor, lo, {x, hi.y}, pictureLabel(editor.compare), false, "compare left");
-  label(editor, {x, lo.y}, hi, truthLabel(editor.compare), true, "compare right");
-  editor.viewport.shown = {{lo, hi}};
+  label(room.ui, lo, {x, hi.y}, pictureLabel(room.shown.compare), false, "compare left");
+  label(room.ui, {x, lo.y}, hi, truthLabel(room.shown.compare), true, "compare right");
+  room.shown.places = {{lo, hi}};
 }
 
-void drawHalves(Editor& editor, vec2 lo, vec2 hi, float aspect) {
-  const vec2 room(0.5f * (hi.x - lo.x - editor.theme.px(4)), hi.y - lo.y);
+void drawHalves(Ui& ui, const Session& session, const Clock& clock, Shown& shown, vec2 lo, vec2 hi,
+                float aspect) {
+  const vec2 room(0.5f * (hi.x - lo.x - ui.theme.px(4)), hi.y - lo.y);
   const vec2 size = glm::max(
       glm::floor(vec2(std::min(room.x, room.y * aspect), std::min(room.y, room.x / aspect))), vec2(1));
   const float middle = std::round(0.5f * (lo.x + hi.x)), top = std::floor(lo.y + 0.5f * (room.y - size.y));
-  const vec2 a(middle - editor.theme.px(2) - size.x, top), b(middle + editor.theme.px(2), top);
-  const Sides sides = sidesOf(editor, ivec2(size));
-  drawPart(a, a + size, sides.picture, editor.viewport.texture, 0, 1);
+  const vec2 a(middle - ui.theme.px(2) - size.x, top), b(middle + ui.theme.px(2), top);
+  const Sides sides = sidesOf(ui, session, clock, shown, ivec2(size));
+  drawPart(a, a + size, sides.picture, shown.displayed.texture, 0, 1);
   drawPart(b, b + size, sides.truth, sides.picture, 0, 1);
-  label(editor, a, a + size, pictureLabel(editor.compare), false, "compare left");
-  label(editor, b, b + size, truthLabel(editor.compare), true, "compare right");
-  editor.viewport.shown = {{a, a + size}, {b, b + size}};
+  label(ui, a, a + size, pictureLabel(shown.compare), false, "compare left");
+  label(ui, b, b + size, truthLabel(shown.compare), true, "compare right");
+  shown.places = {{a, a + size}, {b, b + size}};
 }
 
 std::string tick(double value) {
@@ -127,8 +134,8 @@ std::string tick(double value) {
 }
 
 /// The colours with their values, at the right end of the strip; its width.
-float drawLegend(Editor& editor, vec2 lo, vec2 hi, double scale) {
-  const Theme& theme = editor.theme;
+float drawLegend(Ui& ui, vec2 lo, vec2 hi, double scale) {
+  const Theme& theme = ui.theme;
   const float width = theme.px(150), bar = theme.px(8), text = theme.small->FontSize;
   const std::string_view dark = "too dark", leak = "light leaks";
   const float darkWidth = textWidth(theme.small, dark), leakWidth = textWidth(theme.small, leak),
@@ -157,33 +164,33 @@ float drawLegend(Editor& editor, vec2 lo, vec2 hi, double scale) {
     const float w = textWidth(theme.small, value);
     drawText(draw, theme.small, {x - 0.5f * w, at.y + bar + theme.px(3)}, palette::kTextDim, value, w + 1);
   }
-  editor.trace.note("compare legend", tick(scale));
+  ui.trace.note("compare legend", tick(scale));
   return whole + theme.space(5);
 }
 
-void drawError(Editor& editor, vec2 lo, vec2 hi) {
-  CompareMode& mode = editor.compare;
+void drawError(Ui& ui, Shown& shown, vec2 lo, vec2 hi) {
+  CompareMode& mode = shown.compare;
   using Show = view::CompareDisplay::Show;
   const bool radiance = mode.of == CompareOf::Radiance;
   const double scale = radiance ? mode.radianceScale : mode.shadowScale;
   const view::ComparePass* pass = mode.shown();
-  const unsigned texture = pass ? drawn(editor, *pass,
+  const unsigned texture = pass ? drawn(shown, *pass,
                                         radiance     ? Show::RadianceError
                                         : mode.worst ? Show::WorstError
                                                      : Show::ShadowError,
                                         scale, 0)
                                 : 0;
-  drawPart(lo, hi, texture, editor.viewport.texture, 0, 1);
-  label(editor, lo, hi, pictureLabel(mode), false, "compare left");
+  drawPart(lo, hi, texture, shown.displayed.texture, 0, 1);
+  label(ui, lo, hi, pictureLabel(mode), false, "compare left");
   const std::string what = radiance     ? "Radiance"
                            : mode.worst ? "\xce\x94T, worst on the ray"
                                         : "\xce\x94T, mean of what is seen";
-  label(editor, lo, hi,
+  label(ui, lo, hi,
         !pass                       ? what + ", soon"
         : pass == mode.coarse.get() ? what + ", small"
                                     : what,
         true, "compare right");
-  editor.viewport.shown = {{lo, hi}};
+  shown.places = {{lo, hi}};
 }
 
 std::string figure(double value) {
@@ -195,34 +202,35 @@ std::string figure(double value) {
 
 }  // namespace
 
-void drawComparison(Editor& editor, vec2 lo, vec2 hi, vec2 roomMin, vec2 roomMax, bool hovered) {
-  const CompareMode& mode = editor.compare;
+void drawComparison(const ViewportRoom& room, vec2 lo, vec2 hi, vec2 roomMin, vec2 roomMax, bool hovered) {
+  const CompareMode& mode = room.shown.compare;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  if (mode.layout != CompareLayout::Wipe) editor.compare.draggingWipe = false;
+  if (mode.layout != CompareLayout::Wipe) room.shown.compare.draggingWipe = false;
   if (mode.layout == CompareLayout::SideBySide)
-    drawHalves(editor, roomMin, roomMax, (hi.x - lo.x) / std::max(hi.y - lo.y, 1.0f));
+    drawHalves(room.ui, room.session, room.clock, room.shown, roomMin, roomMax,
+               (hi.x - lo.x) / std::max(hi.y - lo.y, 1.0f));
   else
     draw->AddRectFilled(im(lo), im(hi), palette::kPictureEmpty);
-  if (mode.layout == CompareLayout::Wipe) drawWipe(editor, lo, hi, hovered);
-  if (mode.layout == CompareLayout::Error) drawError(editor, lo, hi);
+  if (mode.layout == CompareLayout::Wipe) drawWipe(room, lo, hi, hovered);
+  if (mode.layout == CompareLayout::Error) drawError(room.ui, room.shown, lo, hi);
   if (!mode.error.empty())
-    label(editor, {lo.x, 0.5f * (lo.y + hi.y) - editor.theme.px(14)}, hi, mode.error, false, "compare error");
-  if (compareWantsFrame(editor))
+    label(room.ui, {lo.x, 0.5f * (lo.y + hi.y) - room.ui.theme.px(14)}, hi, mode.error, false,
+          "compare error");
+  if (compareWantsFrame(room.shown))
     draw->AddRectFilled(
-        {roomMin.x, roomMax.y - editor.theme.px(2)},
+        {roomMin.x, roomMax.y - room.ui.theme.px(2)},
         {glm::mix(roomMin.x, roomMax.x, static_cast<float>(compareFraction(mode))), roomMax.y},
         palette::kSelect);
 }
 
-void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  const CompareMode& mode = editor.compare;
+void drawCompareFigures(Ui& ui, const Shown& shown, vec2 lo, vec2 hi) {
+  const Theme& theme = ui.theme;
+  const CompareMode& mode = shown.compare;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(lo), im(hi), palette::kPanel);
   vec2 from(lo.x + theme.space(3), lo.y), to(hi.x - theme.space(3), hi.y);
   if (mode.layout == CompareLayout::Error)
-    to.x -=
-        drawLegend(editor, from, to, mode.of == CompareOf::Radiance ? mode.radianceScale : mode.shadowScale);
+    to.x -= drawLegend(ui, from, to, mode.of == CompareOf::Radiance ? mode.radianceScale : mode.shadowScale);
   const view::ComparePass* pass = mode.measured();
   if (!pass) return;
   const view::CompareFigures& f = pass->figures();
@@ -252,12 +260,12 @@ void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi) {
   mode.of == CompareOf::Shadow ? shadow() : radiance();
   mode.of == CompareOf::Shadow ? radiance() : shadow();
   if (pass != mode.fine.get()) put("small picture so far", palette::kTextFaint, 0);
-  editor.trace.note("compare shadow mean", fmt::format("{:.9g}", f.shadow.mean));
-  editor.trace.note("compare shadow p95", fmt::format("{:.9g}", f.shadow.p95));
-  editor.trace.note("compare shadow max", fmt::format("{:.9g}", f.shadow.maximum));
-  editor.trace.note("compare radiance mean", fmt::format("{:.9g}", f.radiance.mean));
-  editor.trace.note("compare relmse", fmt::format("{:.9g}", f.relMse));
-  editor.trace.rect("compare/figures", im(lo), im(hi));
+  ui.trace.note("compare shadow mean", fmt::format("{:.9g}", f.shadow.mean));
+  ui.trace.note("compare shadow p95", fmt::format("{:.9g}", f.shadow.p95));
+  ui.trace.note("compare shadow max", fmt::format("{:.9g}", f.shadow.maximum));
+  ui.trace.note("compare radiance mean", fmt::format("{:.9g}", f.radiance.mean));
+  ui.trace.note("compare relmse", fmt::format("{:.9g}", f.relMse));
+  ui.trace.rect("compare/figures", im(lo), im(hi));
 }
 
 }  // namespace pileus::editor

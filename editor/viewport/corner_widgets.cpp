@@ -4,22 +4,28 @@
 #include <array>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/commands/actions.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
 #include "editor/picture/camera_control.h"
-#include "editor/picture/shadow_place.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
+#include "editor/viewport/handles/shadow_place.h"
+#include "editor/viewport/viewport.h"
+#include "editor/viewport/viewport_room.h"
 
 namespace pileus::editor {
 namespace {
 
 /// A square over the picture that can be pressed. ImGui's own items would take the pointer from drags.
-bool pressable(Editor& editor, vec2 lo, vec2 hi, const char* sign, bool on, bool hovered,
+bool pressable(Ui& ui, Viewport& viewport, vec2 lo, vec2 hi, const char* sign, bool on, bool hovered,
                const std::string& trace, const std::string& help) {
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const vec2 p = vec(ImGui::GetIO().MousePos);
   const bool over = hovered && p.x >= lo.x && p.x < hi.x && p.y >= lo.y && p.y < hi.y;
@@ -28,27 +34,27 @@ bool pressable(Editor& editor, vec2 lo, vec2 hi, const char* sign, bool on, bool
   const float width = textWidth(theme.body, sign);
   drawText(draw, theme.body, {0.5f * (lo.x + hi.x - width), 0.5f * (lo.y + hi.y - theme.body->FontSize)},
            on ? palette::kTextStrong : palette::kText, sign, width + 4);
-  editor.trace.rect(trace, im(lo), im(hi));
+  ui.trace.rect(trace, im(lo), im(hi));
   if (!over) return false;
-  editor.viewport.tools.overWidget = true;
-  if (editor.viewport.drag == Viewport::Drag::None && !editor.viewport.tools.drag) tooltip(theme, help);
+  viewport.tools.overWidget = true;
+  if (viewport.drag == Viewport::Drag::None && !viewport.tools.drag) tooltip(theme, help);
   return ImGui::IsMouseClicked(0);
 }
 
-void overlayMenu(Editor& editor) {
+void overlayMenu(Ui& ui) {
   static constexpr std::array kIds = {
       "viewport.overlays",    "viewport.show_bounds", "viewport.show_bricks",     "viewport.show_lights",
       "viewport.show_solids", "viewport.show_grid",   "viewport.show_safe_frame", "viewport.show_axes"};
   if (!ImGui::BeginPopup("##overlay menu")) return;
   for (const char* id : kIds) {
-    actionMenuItem(editor, id);
+    commandMenuItem(ui, id);
     if (id == kIds[0]) ImGui::Separator();
   }
   ImGui::EndPopup();
 }
 
-void chipText(Editor& editor, vec2 lo, vec2 hi, const std::string& text, const char* note, float row) {
-  const Theme& theme = editor.theme;
+void chipText(Ui& ui, vec2 lo, vec2 hi, const std::string& text, const char* note, float row) {
+  const Theme& theme = ui.theme;
   const float width = std::min(textWidth(theme.body, text), hi.x - lo.x - theme.space(8));
   const vec2 pad(theme.space(3), theme.px(6)), size(width, theme.body->FontSize);
   const vec2 at(std::round(0.5f * (lo.x + hi.x - size.x) - pad.x),
@@ -56,7 +62,7 @@ void chipText(Editor& editor, vec2 lo, vec2 hi, const std::string& text, const c
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(at), im(at + size + 2.0f * pad), palette::kChip, theme.px(5));
   drawText(draw, theme.body, at + pad, palette::kText, text, size.x + 1);
-  editor.trace.note(note, text);
+  ui.trace.note(note, text);
 }
 
 constexpr float kToolSize = 28, kToolPad = 3, kAxisArm = 26, kAxisDot = 7;
@@ -65,28 +71,24 @@ float stripHeight(const Theme& theme) { return theme.px(6 * kToolSize + 2 * kToo
 
 }  // namespace
 
-float toolStripWidth(const Editor& editor, vec2 min, vec2 max) {
-  const Theme& theme = editor.theme;
+float toolStripWidth(const Theme& theme, vec2 min, vec2 max) {
   const bool fits =
       min.y + theme.px(40) + stripHeight(theme) <= max.y - theme.px(8) && max.x - min.x >= theme.px(240);
   return fits ? theme.space(2) + theme.px(kToolSize + 2 * kToolPad) : 0;
 }
 
-Viewport::Rect shownCorners(const Viewport& viewport) {
-  return {viewport.shown.front().min, viewport.shown.back().max};
-}
+ScreenRect shownCorners(const Shown& shown) { return {shown.places.front().min, shown.places.back().max}; }
 
-float axisCrossHeight(const Editor& editor, vec2 min, vec2 max) {
-  const Theme& theme = editor.theme;
-  const auto& overlays = editor.settings.view.overlays;
+float axisCrossHeight(const Theme& theme, const Shown& shown, const Settings& settings, vec2 min, vec2 max) {
+  const auto& overlays = settings.view.overlays;
   if (!overlays.on || !overlays.axes || max.x - min.x < theme.px(240) || max.y - min.y < theme.px(150))
     return 0;
-  return theme.space(2) + 2 * theme.px(kAxisArm + kAxisDot) + (editor.compare.on ? theme.px(28) : 0);
+  return theme.space(2) + 2 * theme.px(kAxisArm + kAxisDot) + (shown.compare.on ? theme.px(28) : 0);
 }
 
-void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered) {
-  const Theme& theme = editor.theme;
-  ViewportTools& tools = editor.viewport.tools;
+void drawToolStrip(Ui& ui, Settings& settings, Viewport& viewport, vec2 min, vec2 max, bool hovered) {
+  const Theme& theme = ui.theme;
+  ViewportTools& tools = viewport.tools;
   struct Tool {
     const char* sign;
     const char* id;
@@ -100,42 +102,43 @@ void drawToolStrip(Editor& editor, vec2 min, vec2 max, bool hovered) {
       {icon::kExpand, "scale", "Scale (R), always along the node's own axes", GizmoMode::Scale}};
   const float size = theme.px(kToolSize), pad = theme.px(kToolPad), height = stripHeight(theme);
   const vec2 lo(min.x + theme.space(2), min.y + theme.px(40));
-  if (toolStripWidth(editor, min, max) == 0) {
-    overlayMenu(editor);
+  if (toolStripWidth(ui.theme, min, max) == 0) {
+    overlayMenu(ui);
     return;
   }
   ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(lo + vec2(size + 2 * pad, height)), palette::kChip,
                                             theme.px(6));
   vec2 at = lo + pad;
   for (const Tool& t : kTools) {
-    if (pressable(editor, at, at + size, t.sign, tools.mode == t.mode, hovered,
+    if (pressable(ui, viewport, at, at + size, t.sign, tools.mode == t.mode, hovered,
                   std::string("viewport/tool/") + t.id, t.help))
-      setGizmoMode(editor, t.mode);
+      setGizmoMode(viewport, t.mode);
     at.y += size;
   }
   at.y += theme.px(3);
   ImGui::GetWindowDrawList()->AddLine({at.x + theme.px(4), at.y}, {at.x + size - theme.px(4), at.y},
                                       palette::kLine);
   at.y += theme.px(4);
-  bool& local = editor.settings.view.localAxes;
-  if (pressable(editor, at, at + size, local ? icon::kCube : icon::kGlobe, false, hovered, "viewport/axes",
+  bool& local = settings.view.localAxes;
+  if (pressable(ui, viewport, at, at + size, local ? icon::kCube : icon::kGlobe, false, hovered,
+                "viewport/axes",
                 local ? "Handles along the node's own axes (X changes)"
                       : "Handles along the world's axes (X changes)"))
     local = !local;
   at.y += size;
-  if (pressable(editor, at, at + size, icon::kEye, false, hovered, "viewport/overlays",
+  if (pressable(ui, viewport, at, at + size, icon::kEye, false, hovered, "viewport/overlays",
                 "What is drawn over the picture"))
     ImGui::OpenPopup("##overlay menu");
-  overlayMenu(editor);
-  editor.trace.note("gizmo mode", std::to_string(static_cast<int>(tools.mode)));
+  overlayMenu(ui);
+  ui.trace.note("gizmo mode", std::to_string(static_cast<int>(tools.mode)));
 }
 
-void drawAxisCross(Editor& editor, const Projection& view, bool hovered) {
-  if (axisCrossHeight(editor, view.min(), view.max()) == 0) return;
-  const Theme& theme = editor.theme;
-  ViewportTools& tools = editor.viewport.tools;
+void drawAxisCross(const ViewportRoom& room, const Projection& view, bool hovered) {
+  if (axisCrossHeight(room.ui.theme, room.shown, room.settings, view.min(), view.max()) == 0) return;
+  const Theme& theme = room.ui.theme;
+  ViewportTools& tools = room.viewport.tools;
   const float arm = theme.px(kAxisArm), dot = theme.px(kAxisDot);
-  const float below = editor.compare.on ? theme.px(28) : 0;
+  const float below = room.shown.compare.on ? theme.px(28) : 0;
   const vec2 c(view.max().x - arm - dot - theme.space(3), view.min().y + arm + dot + theme.space(2) + below);
   struct End {
     int axis;
@@ -184,35 +187,36 @@ void drawAxisCross(Editor& editor, const Projection& view, bool hovered) {
       draw->AddCircleFilled(im(e.at), dot - 1, faded(ink, 0.45f));
       draw->AddCircle(im(e.at), dot - 1, ink, 0, theme.scale);
     }
-    editor.trace.rect(kTrace[e.axis + (front ? 0 : 3)], im(e.at - 2.0f), im(e.at + 2.0f));
+    room.ui.trace.rect(kTrace[e.axis + (front ? 0 : 3)], im(e.at - 2.0f), im(e.at + 2.0f));
   }
-  editor.trace.rect("axis/back", im(c - 2.0f), im(c + 2.0f));
-  if (near && editor.viewport.drag == Viewport::Drag::None)
+  room.ui.trace.rect("axis/back", im(c - 2.0f), im(c + 2.0f));
+  if (near && room.viewport.drag == Viewport::Drag::None)
     tooltip(theme, over ? std::string("Look along ") + (over->sign > 0 ? "" : "-") + kNames[over->axis] +
                               "; once more looks from the other side"
                    : tools.beforeAxis ? "A right click goes back"
                                       : "Click an axis to look along it");
   if (near && ImGui::IsMouseClicked(1) && tools.beforeAxis) {
-    setCamera(editor, *tools.beforeAxis, "Camera back", {});
+    setCamera(room.ui.messages, room.session, room.clock, room.shown, *tools.beforeAxis, "Camera back", {});
     tools.beforeAxis.reset();
   }
   if (over && ImGui::IsMouseClicked(0)) {
-    const scene::Camera now = currentCamera(editor);
+    const scene::Camera now = currentCamera(room.session, room.clock, room.shown);
     const bool there = over->depth < -0.999;  // already from that side
     if (!tools.beforeAxis) tools.beforeAxis = now;
-    setCamera(editor, seenFrom(now, there ? -over->direction : over->direction), "Look along an axis", {});
+    setCamera(room.ui.messages, room.session, room.clock, room.shown,
+              seenFrom(now, there ? -over->direction : over->direction), "Look along an axis", {});
   }
 }
 
-void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered) {
-  const Theme& theme = editor.theme;
-  ViewportTools& tools = editor.viewport.tools;
+void drawToolHints(const ViewportRoom& room, vec2 min, vec2 max, bool hovered) {
+  const Theme& theme = room.ui.theme;
+  ViewportTools& tools = room.viewport.tools;
   float row = 0;
   const float step = theme.body->FontSize + theme.px(18);
   if (const std::string hint = shadowPlaceHint(tools); !hint.empty())
-    chipText(editor, min, max, hint, "viewport hint", row), row += step;
-  if (!tools.look.light.empty()) {
-    const std::string text = "Light: " + tools.look.light + "  " + icon::kTimes;
+    chipText(room.ui, min, max, hint, "viewport hint", row), row += step;
+  if (!room.shown.look.light.empty()) {
+    const std::string text = "Light: " + room.shown.look.light + "  " + icon::kTimes;
     const float width = textWidth(theme.body, text);
     const vec2 pad(theme.space(3), theme.px(6));
     const vec2 lo(std::round(0.5f * (min.x + max.x - width) - pad.x), min.y + theme.space(2));
@@ -220,15 +224,15 @@ void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered) {
     ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(hi), palette::kChip, theme.px(5));
     ImGui::GetWindowDrawList()->AddRect(im(min + 1.0f), im(max - 1.0f), palette::kLightSocket, 0, 0,
                                         2 * theme.scale);
-    if (pressable(editor, lo, hi, text.c_str(), false, hovered, "viewport/light",
+    if (pressable(room.ui, room.viewport, lo, hi, text.c_str(), false, hovered, "viewport/light",
                   "Orbiting moves the light. A click or Esc goes back to the camera"))
-      leaveLightView(editor);
-    editor.trace.note("viewport light", tools.look.light);
+      leaveLightView(room.session, room.shown);
+    room.ui.trace.note("viewport light", room.shown.look.light);
   }
   // What the chosen tool cannot do with this node.
-  const std::string name = onlySelected(editor);
-  if (tools.drag || tools.mode == GizmoMode::Select || !canInsertTransform(editor)) return;
-  const auto target = gizmoTarget(editor.document.graph(), name, {}, editor.frame);
+  const std::string name = onlySelected(room.session);
+  if (tools.drag || tools.mode == GizmoMode::Select || !canInsertTransform(room.session)) return;
+  const auto target = gizmoTarget(room.session.document.graph(), name, {}, room.clock.frame);
   const bool able = target && (tools.mode == GizmoMode::Move     ? target->moves
                                : tools.mode == GizmoMode::Rotate ? target->turns
                                                                  : target->scales);
@@ -240,9 +244,9 @@ void drawToolHints(Editor& editor, vec2 min, vec2 max, bool hovered) {
                 std::round(max.y - theme.space(4) - theme.body->FontSize - 2 * pad.y - row));
   const vec2 hi = lo + vec2(width, theme.body->FontSize) + 2.0f * pad;
   ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(hi), palette::kChip, theme.px(5));
-  if (pressable(editor, lo, hi, text.c_str(), false, hovered, "viewport/insert_transform",
+  if (pressable(room.ui, room.viewport, lo, hi, text.c_str(), false, hovered, "viewport/insert_transform",
                 "This volume has nothing to drag that way: a Transform node has"))
-    insertTransform(editor);
+    insertTransform(room.ui, room.session);
 }
 
 }  // namespace pileus::editor

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/corner_widgets.h"
 #include "editor/viewport/picture_overlays.h"
+#include "editor/viewport/viewport_room.h"
 
 namespace pileus::editor {
 namespace {
@@ -23,26 +27,25 @@ bool histogramFits(const Theme& theme, vec2 lo, vec2 hi) {
 }
 
 /// Where the histogram begins, from the top; hi.y where it is off or has no room.
-float histogramTop(const Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  const bool shown = editor.settings.showHistogram && histogramFits(theme, lo, hi);
+float histogramTop(const Theme& theme, const Settings& settings, vec2 lo, vec2 hi) {
+  const bool shown = settings.showHistogram && histogramFits(theme, lo, hi);
   return shown ? hi.y - theme.space(2) - histogramSize(theme).y : hi.y;
 }
 
 }  // namespace
 
-void drawHistogram(Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
+void drawHistogram(Ui& ui, const Shown& shown, vec2 lo, vec2 hi) {
+  const Theme& theme = ui.theme;
   if (!histogramFits(theme, lo, hi)) return;
   const vec2 size = histogramSize(theme), b = hi - theme.space(2), a = b - size;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(im(a), im(b), palette::kChip, theme.px(4));
-  editor.trace.rect("histogram", im(a), im(b));
+  ui.trace.rect("histogram", im(a), im(b));
   const vec2 pad(theme.space(2), theme.px(6));
   const float text = theme.small->FontSize;
-  const std::string space = editor.viewport.colors ? editor.viewport.colors->workingSpace() : "";
+  const std::string space = shown.displayed.colors ? shown.displayed.colors->workingSpace() : "";
   drawText(draw, theme.small, a + pad, palette::kTextDim, "Stops around 0.18, " + space, size.x - 2 * pad.x);
-  const view::ScanResult* scan = editor.viewport.mode.scan.result();
+  const view::ScanResult* scan = shown.mode.scan.result();
   const vec2 plotLo(a.x + pad.x, a.y + pad.y + text + theme.px(4)),
       plotHi(b.x - pad.x, b.y - pad.y - text - theme.px(3));
   using H = view::Histogram;
@@ -90,18 +93,19 @@ void drawHistogram(Editor& editor, vec2 lo, vec2 hi) {
   for (int i = 0; i < H::kBins; ++i)
     if (scan->histogram.parts[3][static_cast<std::size_t>(i)] > peak)
       peak = scan->histogram.parts[3][static_cast<std::size_t>(i)], at = i;
-  editor.trace.note("histogram", fmt::format("{} texels, peak {:.2f}", scan->texels, H::stopOf(at)));
+  ui.trace.note("histogram", fmt::format("{} texels, peak {:.2f}", scan->texels, H::stopOf(at)));
 }
 
-void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right) {
-  const Theme& theme = editor.theme;
+void drawBandLegend(Ui& ui, const Shown& shown, const Settings& settings, vec2 lo, vec2 hi, float right) {
+  const Theme& theme = ui.theme;
   constexpr int kBands = view::kExposureBands;
   const float label = textWidth(theme.small,
                                 "\xe2\x89\xa4\xe2\x88\x92"
                                 "7");
   const float text = theme.small->FontSize, bar = theme.px(14),
               width = bar + label + theme.px(6) + 2 * theme.space(2);
-  const float cross = axisCrossHeight(editor, lo, hi), histogram = histogramTop(editor, lo, {right, hi.y});
+  const float cross = axisCrossHeight(ui.theme, shown, settings, lo, hi),
+              histogram = histogramTop(ui.theme, settings, lo, {right, hi.y});
   // Below the axis cross, where it does not stand beside the picture.
   const auto topAt = [&](float x) { return std::round(lo.y + (x < hi.x ? cross : 0.0f) + theme.space(2)); };
   const auto bandHeight = [&](float top, float bottom) {
@@ -133,7 +137,7 @@ void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right) {
     drawText(draw, theme.small, {at.x + bar + theme.px(6), at.y + 0.5f * (height - text)},
              stop == 0 ? palette::kTextStrong : palette::kTextDim, t, theme.px(40));
   }
-  editor.trace.rect("false colour legend", im(a), im(b));
+  ui.trace.rect("false colour legend", im(a), im(b));
 }
 
 }  // namespace pileus::editor

@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/corner_widgets.h"
 #include "editor/viewport/picture_overlays.h"
+#include "editor/viewport/viewport_room.h"
 #include "renderer/view/render_scene.h"
 
 namespace pileus::editor {
@@ -24,11 +29,11 @@ std::string mib(std::size_t bytes) {
 }
 
 /// Of the evaluation that is shown: what makes pictures, and all that comes before.
-std::pair<double, double> mapsAndPicture(const Editor& editor) {
+std::pair<double, double> mapsAndPicture(const Session& session, const Shown& shown) {
   double maps = 0, picture = 0;
-  for (const auto& [name, node] : editor.document.root().nodes) {
+  for (const auto& [name, node] : session.document.root().nodes) {
     const nodes::NodeType* type = nodes::findNodeType(node->type);
-    const nodes::NodeStatus& status = editor.preview.evaluator().status(name);
+    const nodes::NodeStatus& status = shown.preview.evaluator().status(name);
     if (!type || status.state == nodes::NodeState::Idle) continue;
     if (type->uses & nodes::UsesLayers)
       picture += status.cpuMs;
@@ -47,29 +52,29 @@ std::string freeText() {
   return fmt::format(", {} MiB free", kib / 1024);
 }
 
-std::size_t pictureBytes(const Editor& editor) {
-  std::size_t sum = editor.viewport.snapshots.bytes();
-  if (const auto& p = editor.preview.picture()) sum += p->color.bytes();
+std::size_t pictureBytes(const Shown& shown) {
+  std::size_t sum = shown.snapshots.bytes();
+  if (const auto& p = shown.preview.picture()) sum += p->color.bytes();
   return sum;
 }
 
-std::vector<std::pair<std::string, std::string>> rowsOf(const Editor& editor) {
+std::vector<std::pair<std::string, std::string>> rowsOf(const ViewportRoom& room) {
   std::vector<std::pair<std::string, std::string>> rows;
-  const auto [maps, picture] = mapsAndPicture(editor);
-  const bool draft = editor.preview.draft();
+  const auto [maps, picture] = mapsAndPicture(room.session, room.shown);
+  const bool draft = room.shown.preview.draft();
   rows.emplace_back(draft ? "This draft" : "Final", fmt::format("maps {}, render {}", ms(maps), ms(picture)));
-  if (const DraftTimes& t = editor.preview.draftTimes(); t.total > 0)
+  if (const DraftTimes& t = room.shown.preview.draftTimes(); t.total > 0)
     rows.emplace_back("Last draft", fmt::format("{} of {:.0f}: maps {}, render {}", ms(t.total),
-                                                editor.settings.draftMs, ms(t.maps), ms(t.picture)));
-  const DraftPace& pace = editor.preview.pace();
-  const ivec2 size = editor.viewport.renderSize;
+                                                room.settings.draftMs, ms(t.maps), ms(t.picture)));
+  const DraftPace& pace = room.shown.preview.pace();
+  const ivec2 size = room.shown.renderSize;
   const double by =
       std::max(1.0, std::sqrt(static_cast<double>(size.x) * size.y / std::max(pace.pixels(), 1)));
   rows.emplace_back("Draft scale", fmt::format("1 : {:.1f}, {} pixels, maps {} texels", by,
                                                std::min(pace.pixels(), size.x * size.y), pace.texels()));
   rows.emplace_back("Display",
-                    fmt::format("{}, frame {}", ms(editor.viewport.displayMs), ms(editor.frameMs)));
-  if (const auto& p = editor.preview.picture()) {
+                    fmt::format("{}, frame {}", ms(room.shown.displayed.ms), ms(room.ui.now.frameMs)));
+  if (const auto& p = room.shown.preview.picture()) {
     const int all = p->scene ? p->scene->options.samples : p->samples;
     rows.emplace_back("Picture",
                       fmt::format("{} \xc3\x97 {}, {} of {} samples", p->size.x, p->size.y, p->samples, all));
@@ -77,24 +82,24 @@ std::vector<std::pair<std::string, std::string>> rowsOf(const Editor& editor) {
       rows.emplace_back("Scene", fmt::format("{} lights, {} volumes, {} solids", p->scene->lights.size(),
                                              p->scene->volumes.size(), p->scene->solids.size()));
   }
-  view::Renderer& r = *editor.renderer;
+  view::Renderer& r = room.shown.renderer;
   rows.emplace_back("Bricks", fmt::format("{} resident, {} of {}", r.bricks().residentBricks(),
                                           mib(r.bricks().bytes()), mib(r.bricks().budget())));
   rows.emplace_back("Memory", fmt::format("maps {}, pictures {}, budget {}{}", mib(r.shadows().bytes()),
-                                          mib(pictureBytes(editor)), mib(r.gpuMemory()), freeText()));
+                                          mib(pictureBytes(room.shown)), mib(r.gpuMemory()), freeText()));
   return rows;
 }
 
 }  // namespace
 
-void drawHud(Editor& editor, vec2 lo, vec2 hi, float below) {
-  const Theme& theme = editor.theme;
-  const auto rows = rowsOf(editor);
+void drawHud(const ViewportRoom& room, vec2 lo, vec2 hi, float below) {
+  const Theme& theme = room.ui.theme;
+  const auto rows = rowsOf(room);
   const float line = theme.px(19), head = theme.px(84);
   float widest = 0;
   for (const auto& [name, text] : rows) widest = std::max(widest, textWidth(theme.mono, text));
   const vec2 pad(theme.space(2), theme.px(6));
-  const float left = lo.x + toolStripWidth(editor, lo, hi) + theme.space(2);
+  const float left = lo.x + toolStripWidth(room.ui.theme, lo, hi) + theme.space(2);
   const vec2 a(left, below), size(std::min(head + widest + 2 * pad.x, hi.x - left - theme.space(2)),
                                   line * static_cast<float>(rows.size()) + 2 * pad.y);
   if (size.x < theme.px(160)) return;
@@ -106,10 +111,10 @@ void drawHud(Editor& editor, vec2 lo, vec2 hi, float below) {
              head);
     drawText(draw, theme.mono, {at.x + head, at.y + 0.5f * (line - theme.mono->FontSize)}, palette::kText,
              text, size.x - 2 * pad.x - head);
-    editor.trace.note("hud " + name, text);
+    room.ui.trace.note("hud " + name, text);
     at.y += line;
   }
-  editor.trace.rect("hud", im(a), im(a + size));
+  room.ui.trace.rect("hud", im(a), im(a + size));
 }
 
 }  // namespace pileus::editor

@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
+#include "editor/viewport/viewport.h"
 #include "editor/viewport/viewport_bar.h"
+#include "editor/viewport/viewport_room.h"
 
 namespace pileus::editor {
 namespace {
@@ -22,26 +29,26 @@ struct Side {
   std::string name;
 };
 
-std::array<Side, 2> sidesOf(const Editor& editor) {
-  std::array<Side, 2> sides{Side{editor.preview.picture(), {}}, Side{}};
-  const Snapshots& s = editor.viewport.snapshots;
+std::array<Side, 2> sidesOf(const Shown& shown) {
+  std::array<Side, 2> sides{Side{shown.preview.picture(), {}}, Side{}};
+  const Snapshots& s = shown.snapshots;
   if (s.wiping) {
     const auto side = [&](int i) {
       return i == Snapshots::kPicture
-                 ? Side{editor.preview.picture(), "Picture"}
+                 ? Side{shown.preview.picture(), "Picture"}
                  : Side{s.all[static_cast<std::size_t>(i)].picture, s.all[static_cast<std::size_t>(i)].name};
     };
     return {side(s.left), side(s.right)};
   }
-  if (!editor.compare.on) return sides;
+  if (!shown.compare.on) return sides;
   sides[0].name = "Picture";
-  if (const view::ComparePass* pass = editor.compare.shown()) sides[1] = {pass->truth(), "Truth"};
+  if (const view::ComparePass* pass = shown.compare.shown()) sides[1] = {pass->truth(), "Truth"};
   return sides;
 }
 
-int rowsOf(const Editor& editor) {
-  const int sides = editor.compare.on || editor.viewport.snapshots.wiping ? 2 : 1;
-  return sides * (editor.viewport.inspector.area() ? 3 : 1);
+int rowsOf(const Shown& shown, const Viewport& viewport) {
+  const int sides = shown.compare.on || shown.snapshots.wiping ? 2 : 1;
+  return sides * (viewport.inspector.area() ? 3 : 1);
 }
 
 /// Writes cells of fixed widths from the left, so that figures stay in place while they change.
@@ -71,14 +78,15 @@ struct Row {
 ImU32 inkOf(float value) { return std::isfinite(value) ? palette::kText : palette::kError; }
 
 /// What the display makes of a value, 0..1.
-std::optional<vec3> displayed(Editor& editor, const vec4& value) {
-  const view::DisplaySettings s = displaySettings(editor);
-  if (!editor.viewport.colors || !std::isfinite(value.r) || !std::isfinite(value.g) ||
+std::optional<vec3> displayed(const Session& session, const Clock& clock, const Shown& shown,
+                              const vec4& value) {
+  const view::DisplaySettings s = displaySettings(session, clock, shown);
+  if (!shown.displayed.colors || !std::isfinite(value.r) || !std::isfinite(value.g) ||
       !std::isfinite(value.b))
     return std::nullopt;
   vec4 p(vec3(value) * static_cast<float>(std::exp2(s.exposure)), 1);
-  if (!s.raw && !editor.viewport.colors->applyCpu(s.display, s.view, &p.x, 1, s.look) &&
-      !editor.viewport.colors->applyCpu("", "", &p.x, 1))
+  if (!s.raw && !shown.displayed.colors->applyCpu(s.display, s.view, &p.x, 1, s.look) &&
+      !shown.displayed.colors->applyCpu("", "", &p.x, 1))
     return std::nullopt;
   for (int c = 0; c < 3; ++c)
     p[c] = std::clamp(std::pow(std::max(p[c], 0.0f), static_cast<float>(1 / std::max(s.gamma, 1e-3))), 0.0f,
@@ -95,27 +103,29 @@ void channels(Row& row, const vec4& value) {
   }
 }
 
-void drawLight(Editor& editor, Row& row, const vec4& value) {
+void drawLight(const Session& session, const Clock& clock, const Shown& shown, Row& row, const vec4& value) {
   channels(row, value);
-  row.text(editor.viewport.colors ? editor.viewport.colors->workingSpace() : "", palette::kTextFaint,
+  row.text(shown.displayed.colors ? shown.displayed.colors->workingSpace() : "", palette::kTextFaint,
            row.theme.space(4));
   const float y = glm::dot(vec3(value), view::kLuminance);
   row.text("Y", palette::kTextDim, row.theme.px(2));
   row.figure(figureText(y), inkOf(y), 8);
   row.figure(stopsText(y), palette::kText, 12);
-  const auto shown = displayed(editor, value);
-  if (!shown || !row.room(row.theme.px(120))) return;
-  const vec3 c = *shown * 255.0f;
+  const auto seen = displayed(session, clock, shown, value);
+  if (!seen || !row.room(row.theme.px(120))) return;
+  const vec3 c = *seen * 255.0f;
   ImGui::GetWindowDrawList()->AddRectFilled(
       {row.at.x, row.at.y + row.theme.px(1)}, {row.at.x + row.theme.px(14), row.at.y + row.theme.px(15)},
       IM_COL32(static_cast<int>(c.r), static_cast<int>(c.g), static_cast<int>(c.b), 255), row.theme.px(3));
   row.at.x += row.theme.px(20);
   row.text("shown", palette::kTextFaint, row.theme.px(4));
-  row.figure(fmt::format("{:.3f} {:.3f} {:.3f}", shown->r, shown->g, shown->b), palette::kText, 17);
+  row.figure(fmt::format("{:.3f} {:.3f} {:.3f}", seen->r, seen->g, seen->b), palette::kText, 17);
 }
 
-void drawValue(Editor& editor, Row& row, const view::Picture& picture, const vec4& value) {
-  if (picture.layer.kind != view::PictureLayer::Kind::Depth) return drawLight(editor, row, value);
+void drawValue(const Session& session, const Clock& clock, const Shown& shown, Row& row,
+               const view::Picture& picture, const vec4& value) {
+  if (picture.layer.kind != view::PictureLayer::Kind::Depth)
+    return drawLight(session, clock, shown, row, value);
   row.text("Depth", palette::kTextDim, row.theme.px(4));
   row.figure(value.a > 0 || !std::isfinite(value.r) ? figureText(value.r) + " m" : "nothing", inkOf(value.r),
              12);
@@ -129,10 +139,11 @@ std::string placeText(const PixelProbe& probe) {
   return fmt::format("{} \xc3\x97 {} at {}, {}", size.x, size.y, at.x, at.y);
 }
 
-void drawSide(Editor& editor, const Side& side, const PixelProbe& probe, vec2& at, float right, bool second) {
-  const Theme& theme = editor.theme;
+void drawSide(const ViewportRoom& room, const Side& side, const PixelProbe& probe, vec2& at, float right,
+              bool second) {
+  const Theme& theme = room.ui.theme;
   const TexelFigures& f = probe.figures();
-  const bool area = editor.viewport.inspector.area();
+  const bool area = room.viewport.inspector.area();
   const auto line = [&](std::string_view head, const vec4& value, bool place) {
     Row row{theme, {at.x, at.y + theme.px(0.5f * kRow) - 0.5f * theme.small->FontSize}, right};
     if (!side.name.empty()) {
@@ -146,7 +157,7 @@ void drawSide(Editor& editor, const Side& side, const PixelProbe& probe, vec2& a
       row.at.x += theme.px(40);
     }
     if (place && !area) row.figure(placeText(probe), palette::kTextDim, 9);
-    if (side.picture) drawValue(editor, row, *side.picture, value);
+    if (side.picture) drawValue(room.session, room.clock, room.shown, row, *side.picture, value);
     if (place && area) {
       row.text(placeText(probe), palette::kTextFaint, theme.space(3));
       if (f.nan) row.text(fmt::format("{} nan", f.nan), palette::kError, theme.space(2));
@@ -164,41 +175,40 @@ void drawSide(Editor& editor, const Side& side, const PixelProbe& probe, vec2& a
   line("max", f.max, false);
 }
 
-void traceValue(Editor& editor, const PixelProbe& probe, const char* name) {
+void traceValue(Ui& ui, const Viewport& viewport, const PixelProbe& probe, const char* name) {
   const TexelFigures& f = probe.figures();
-  const vec4 v = editor.viewport.inspector.area() ? f.mean : f.first;
-  editor.trace.note(name,
-                    fmt::format("{} {} {} {} {} {}", probe.pixel().x, probe.pixel().y, v.r, v.g, v.b, v.a));
+  const vec4 v = viewport.inspector.area() ? f.mean : f.first;
+  ui.trace.note(name, fmt::format("{} {} {} {} {} {}", probe.pixel().x, probe.pixel().y, v.r, v.g, v.b, v.a));
 }
 
 }  // namespace
 
-void toggleInspector(Editor& editor) {
-  editor.settings.showInspector = !editor.settings.showInspector;
-  if (!editor.settings.showInspector)
-    editor.viewport.inspector.areaFrom.reset(), editor.viewport.inspector.areaTo.reset(),
-        editor.viewport.inspector.pinned.reset();
+void toggleInspector(Settings& settings, Viewport& viewport) {
+  settings.showInspector = !settings.showInspector;
+  if (!settings.showInspector)
+    viewport.inspector.areaFrom.reset(), viewport.inspector.areaTo.reset(), viewport.inspector.pinned.reset();
 }
 
-float inspectorHeight(const Editor& editor) {
-  if (!editor.settings.showInspector) return 0;
-  return editor.theme.px(kRow) * static_cast<float>(rowsOf(editor)) + editor.theme.px(6);
+float inspectorHeight(const Theme& theme, const Shown& shown, const Settings& settings,
+                      const Viewport& viewport) {
+  if (!settings.showInspector) return 0;
+  return theme.px(kRow) * static_cast<float>(rowsOf(shown, viewport)) + theme.px(6);
 }
 
-void drawInspectorMarks(Editor& editor, bool hovered) {
-  Inspector& in = editor.viewport.inspector;
+void drawInspectorMarks(const Theme& theme, const Shown& shown, const Settings& settings, Viewport& viewport,
+                        bool hovered) {
+  Inspector& in = viewport.inspector;
   const ImGuiIO& io = ImGui::GetIO();
-  if (!editor.settings.showInspector) return;
+  if (!settings.showInspector) return;
   const std::optional<vec2> under =
-      hovered || in.draggingArea ? pictureUv(editor.viewport, vec(io.MousePos)) : std::nullopt;
+      hovered || in.draggingArea ? pictureUv(shown, vec(io.MousePos)) : std::nullopt;
   in.pointer = under ? std::optional(dvec2(*under)) : std::nullopt;
-  const float reach = editor.theme.px(4);
+  const float reach = theme.px(4);
   if (hovered && under && ImGui::IsMouseClicked(0)) {
     if (io.KeyCtrl)
       in.areaFrom = in.areaTo = dvec2(*under), in.draggingArea = true, in.pinned.reset();
     else
-      in.pressed =
-          !io.KeyAlt && !io.KeyShift && !editor.scope.picking && !editor.viewport.mode.region.drawing;
+      in.pressed = !io.KeyAlt && !io.KeyShift && !shown.ray.picking && !shown.mode.region.drawing;
   }
   if (in.draggingArea && under) in.areaTo = dvec2(*under);
   if (!ImGui::IsMouseDown(0)) {
@@ -206,21 +216,19 @@ void drawInspectorMarks(Editor& editor, bool hovered) {
     if (in.draggingArea && click) in.areaFrom.reset(), in.areaTo.reset();  // Ctrl+click takes the area away
     if (in.pressed && click && under && hovered) {
       in.areaFrom.reset(), in.areaTo.reset();
-      const dvec2 size = editor.viewport.shown.empty()
-                             ? dvec2(1)
-                             : dvec2(editor.viewport.shown[0].max - editor.viewport.shown[0].min);
-      const bool again = in.pinned && glm::length((*in.pinned - dvec2(*under)) * size) <
-                                          static_cast<double>(editor.theme.px(7));
+      const dvec2 size = shown.places.empty() ? dvec2(1) : dvec2(shown.places[0].max - shown.places[0].min);
+      const bool again =
+          in.pinned && glm::length((*in.pinned - dvec2(*under)) * size) < static_cast<double>(theme.px(7));
       in.pinned = again ? std::nullopt : std::optional(dvec2(*under));
     }
     in.draggingArea = in.pressed = false;
   }
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  for (const Viewport::Rect& r : editor.viewport.shown) {
+  for (const ScreenRect& r : shown.places) {
     const auto at = [&](dvec2 uv) { return r.min + vec2(uv) * (r.max - r.min); };
     if (in.pinned) {
       const vec2 p = glm::round(at(*in.pinned));
-      const float arm = editor.theme.px(7), gap = editor.theme.px(2);
+      const float arm = theme.px(7), gap = theme.px(2);
       for (const vec2 d : {vec2(1, 0), vec2(-1, 0), vec2(0, 1), vec2(0, -1)}) {
         draw->AddLine(im(p + d * gap), im(p + d * arm), palette::kHandleEdge, 3);
         draw->AddLine(im(p + d * gap), im(p + d * arm), palette::kHandle, 1);
@@ -233,11 +241,11 @@ void drawInspectorMarks(Editor& editor, bool hovered) {
   }
 }
 
-void drawInspectorStrip(Editor& editor, vec2 lo, vec2 hi) {
-  const Theme& theme = editor.theme;
-  Inspector& in = editor.viewport.inspector;
+void drawInspectorStrip(const ViewportRoom& room, vec2 lo, vec2 hi) {
+  const Theme& theme = room.ui.theme;
+  Inspector& in = room.viewport.inspector;
   ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(hi), palette::kPanel);
-  const auto sides = sidesOf(editor);
+  const auto sides = sidesOf(room.shown);
   const std::optional<dvec2> from = in.area() ? in.areaFrom : in.pinned ? in.pinned : in.pointer;
   const dvec2 to = in.area() ? *in.areaTo : from.value_or(dvec2(0));
   const bool fixed = in.area() || in.pinned;
@@ -250,7 +258,7 @@ void drawInspectorStrip(Editor& editor, vec2 lo, vec2 hi) {
     const ImVec2 cross = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("##unpin", {side, side}))
       in.pinned.reset(), in.areaFrom.reset(), in.areaTo.reset();
-    editor.trace.item("inspector/unpin");
+    room.ui.trace.item("inspector/unpin");
     const bool hovered = ImGui::IsItemHovered();
     drawText(ImGui::GetWindowDrawList(), theme.small,
              {cross.x + 0.5f * (side - textWidth(theme.small, icon::kTimes)),
@@ -265,13 +273,14 @@ void drawInspectorStrip(Editor& editor, vec2 lo, vec2 hi) {
              right - at.x);
     return;
   }
-  const bool two = editor.compare.on || editor.viewport.snapshots.wiping;
+  const bool two = room.shown.compare.on || room.shown.snapshots.wiping;
   for (std::size_t i = 0; i < (two ? 2u : 1u); ++i) {
     in.probes[i].follow(sides[i].picture, *from, to);
-    drawSide(editor, sides[i], in.probes[i], at, right, i == 1);
-    if (in.probes[i].known()) traceValue(editor, in.probes[i], i == 0 ? "inspector" : "inspector other");
+    drawSide(room, sides[i], in.probes[i], at, right, i == 1);
+    if (in.probes[i].known())
+      traceValue(room.ui, room.viewport, in.probes[i], i == 0 ? "inspector" : "inspector other");
   }
-  editor.trace.rect("inspector", im(lo), im(hi));
+  room.ui.trace.rect("inspector", im(lo), im(hi));
 }
 
 }  // namespace pileus::editor

@@ -7,7 +7,11 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Settings;
+struct Shown;
+struct Theme;
+struct Viewport;
+struct ViewportRoom;
 
 struct Inspector {
   std::optional<dvec2> pointer;  ///< over the picture, 0..1
@@ -21,11 +25,13 @@ struct Inspector {
   bool busy() const { return probes[0].busy() || probes[1].busy(); }
 };
 
-void toggleInspector(Editor& editor);
+void toggleInspector(Settings& settings, Viewport& viewport);
 /// What the strip wants; 0 while it is off.
-float inspectorHeight(const Editor& editor);
+float inspectorHeight(const Theme& theme, const Shown& shown, const Settings& settings,
+                      const Viewport& viewport);
 /// Marks in the picture, the pin and the area; takes clicks and Ctrl+drags over it.
-void drawInspectorMarks(Editor& editor, bool hovered);
-void drawInspectorStrip(Editor& editor, vec2 lo, vec2 hi);
+void drawInspectorMarks(const Theme& theme, const Shown& shown, const Settings& settings, Viewport& viewport,
+                        bool hovered);
+void drawInspectorStrip(const ViewportRoom& room, vec2 lo, vec2 hi);
 
 }  // namespace pileus::editor

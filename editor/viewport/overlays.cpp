@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/brick_overlay.h"
+#include "editor/viewport/viewport.h"
+#include "editor/viewport/viewport_room.h"
 
 namespace pileus::editor {
 namespace {
@@ -40,17 +46,18 @@ struct Pen {
   }
 };
 
-bool chosen(const Editor& editor, const std::vector<std::string>& chain) {
-  const auto& selection = editor.document.selection();
-  return editor.document.scope().empty() &&
+bool chosen(const Session& session, const std::vector<std::string>& chain) {
+  const auto& selection = session.document.selection();
+  return session.document.scope().empty() &&
          std::any_of(chain.begin(), chain.end(), [&](const std::string& n) { return selection.contains(n); });
 }
 
-void drawVolumes(const Editor& editor, const Pen& pen) {
-  const Overlays& o = editor.settings.view.overlays;
-  for (const PlacedVolume& v : editor.viewport.tools.scene.volumes) {
-    const bool selected = chosen(editor, v.chain);
-    if (!o.bounds && !(selected && editor.viewport.tools.mode != GizmoMode::Select)) continue;
+void drawVolumes(const Session& session, const Shown& shown, const Settings& settings,
+                 const Viewport& viewport, const Pen& pen) {
+  const Overlays& o = settings.view.overlays;
+  for (const PlacedVolume& v : shown.scene.volumes) {
+    const bool selected = chosen(session, v.chain);
+    if (!o.bounds && !(selected && viewport.tools.mode != GizmoMode::Select)) continue;
     const ImU32 ink = selected ? faded(palette::kSelect, 0.8f) : faded(palette::kVolumeSocket, 0.55f);
     const dmat4& m = v.instance.worldFromLocal;
     if (v.instance.shape == volume::Shape::Ball) {
@@ -62,28 +69,27 @@ void drawVolumes(const Editor& editor, const Pen& pen) {
   }
 }
 
-void drawSolids(const Editor& editor, const Pen& pen) {
-  for (const PlacedSolid& s : editor.viewport.tools.scene.solids) {
-    const bool selected = chosen(editor, s.chain);
-    if (!editor.settings.view.overlays.solids &&
-        !(selected && editor.viewport.tools.mode != GizmoMode::Select))
-      continue;
+void drawSolids(const Session& session, const Shown& shown, const Settings& settings,
+                const Viewport& viewport, const Pen& pen) {
+  for (const PlacedSolid& s : shown.scene.solids) {
+    const bool selected = chosen(session, s.chain);
+    if (!settings.view.overlays.solids && !(selected && viewport.tools.mode != GizmoMode::Select)) continue;
     const ImU32 ink = selected ? faded(palette::kSelect, 0.8f) : faded(palette::kSolidSocket, 0.7f);
     const double half = s.solid.shape == scene::SolidShape::Plane ? 0 : 0.5;
     pen.box(s.solid.worldFromLocal, {-0.5, -half, -0.5}, {0.5, half, 0.5}, ink);
   }
 }
 
-void drawLight(Editor& editor, const Pen& pen, const PlacedLight& light) {
-  const Theme& theme = editor.theme;
-  const bool selected = editor.document.scope().empty() && editor.document.selection().contains(light.node);
-  const auto mark = lightMark(editor, light, pen.view);
-  if (!mark || light.node == editor.viewport.tools.look.light) return;
+void drawLight(Ui& ui, const Session& session, const Shown& shown, const Pen& pen, const PlacedLight& light) {
+  const Theme& theme = ui.theme;
+  const bool selected = session.document.scope().empty() && session.document.selection().contains(light.node);
+  const auto mark = lightMark(ui.theme, shown, light, pen.view);
+  if (!mark || light.node == shown.look.light) return;
   const GizmoTarget& t = light.target;
   const ImU32 ink = selected ? palette::kSelect : palette::kLightSocket;
   if (t.sun && !selected) {
     // Its rays come from there.
-    const auto center = pen.view.screen(sunCenter(editor.viewport.tools.scene, pen.view));
+    const auto center = pen.view.screen(sunCenter(shown.scene, pen.view));
     if (center && glm::length(*center - *mark) > theme.px(24)) {
       const vec2 u = glm::normalize(*center - *mark), n(-u.y, u.x);
       const vec2 from = *mark + theme.px(13) * u, to = *mark + theme.px(34) * u;
@@ -107,7 +113,7 @@ void drawLight(Editor& editor, const Pen& pen, const PlacedLight& light) {
     }
   }
   const std::string name = std::string("light/") + light.node;
-  editor.trace.rect(name, im(*mark - theme.px(9)), im(*mark + theme.px(9)));
+  ui.trace.rect(name, im(*mark - theme.px(9)), im(*mark + theme.px(9)));
   if (t.sun && selected) return;  // the gizmo draws its disc
   pen.draw->AddCircleFilled(im(*mark), theme.px(10.5f), palette::kHandleEdge);
   pen.draw->AddCircle(im(*mark), theme.px(9.5f), ink, 0, 1.5f * theme.scale);
@@ -118,7 +124,7 @@ void drawLight(Editor& editor, const Pen& pen, const PlacedLight& light) {
 }
 
 /// Lines of the ground a decade apart, by how far the ground in view is.
-void drawGrid(Editor& editor, const Pen& pen) {
+void drawGrid(Ui& ui, const Pen& pen) {
   const Projection& view = pen.view;
   const vec2 middle = 0.5f * (view.min() + view.max());
   const auto seen = onPlane(view.ray(middle), dvec3(0), {0, 1, 0});
@@ -142,7 +148,7 @@ void drawGrid(Editor& editor, const Pen& pen) {
                              : faded(palette::kGhost, strong ? 0.5f : 0.22f);
       pen.line(from, to, ink);
     }
-  if (editor.trace.on()) editor.trace.note("overlay grid", fmt::format("{:g} m", step));
+  if (ui.trace.on()) ui.trace.note("overlay grid", fmt::format("{:g} m", step));
 }
 
 void drawSafeFrame(const Pen& pen) {
@@ -158,15 +164,16 @@ void drawSafeFrame(const Pen& pen) {
 
 }  // namespace
 
-void drawSceneOverlays(Editor& editor, const Projection& view) {
-  const Overlays& o = editor.settings.view.overlays;
-  const Pen pen{editor.theme, view, ImGui::GetWindowDrawList()};
-  if (o.grid) drawGrid(editor, pen);
-  if (o.bricks) drawBricks(editor, view);
-  drawVolumes(editor, pen);
-  drawSolids(editor, pen);
+void drawSceneOverlays(const ViewportRoom& room, const Projection& view) {
+  const Overlays& o = room.settings.view.overlays;
+  const Pen pen{room.ui.theme, view, ImGui::GetWindowDrawList()};
+  if (o.grid) drawGrid(room.ui, pen);
+  if (o.bricks) drawBricks(room.ui, room.shown, view);
+  drawVolumes(room.session, room.shown, room.settings, room.viewport, pen);
+  drawSolids(room.session, room.shown, room.settings, room.viewport, pen);
   if (o.lights)
-    for (const PlacedLight& light : editor.viewport.tools.scene.lights) drawLight(editor, pen, light);
+    for (const PlacedLight& light : room.shown.scene.lights)
+      drawLight(room.ui, room.session, room.shown, pen, light);
   if (o.safeFrame) drawSafeFrame(pen);
 }
 

@@ -4,6 +4,8 @@
 
 namespace pileus::editor {
 
-void drawSceneOverlays(Editor& editor, const Projection& view);
+struct ViewportRoom;
+
+void drawSceneOverlays(const ViewportRoom& room, const Projection& view);
 
 }  // namespace pileus::editor

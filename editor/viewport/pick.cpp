@@ -3,7 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport_tools.h"
 #include "renderer/view/visible_point.h"
 
@@ -42,29 +46,31 @@ const nodes::SocketSpec* volumeOutput(const nodes::Graph& graph, const std::stri
 
 }  // namespace
 
-std::optional<vec2> lightMark(const Editor& editor, const PlacedLight& light, const Projection& view) {
+std::optional<vec2> lightMark(const Theme& theme, const Shown& shown, const PlacedLight& light,
+                              const Projection& view) {
   if (!light.target.sun) return view.screen(light.target.position);
-  const dvec3 center = sunCenter(editor.viewport.tools.scene, view);
+  const dvec3 center = sunCenter(shown.scene, view);
   const double metres = view.metresPerPixel(center);
   if (!(metres > 0)) return std::nullopt;
-  return view.screen(center + metres * static_cast<double>(editor.theme.px(96)) *
+  return view.screen(center + metres * static_cast<double>(theme.px(96)) *
                                   scene::sunDirection(light.target.azimuth, light.target.elevation));
 }
 
-std::string nodeAt(const Editor& editor, const Projection& view, vec2 at) {
-  const ViewScene& scene = editor.viewport.tools.scene;
-  if (editor.settings.view.overlays.on && editor.settings.view.overlays.lights) {
+std::string nodeAt(const Theme& theme, const Session& session, const Shown& shown, const Settings& settings,
+                   const Projection& view, vec2 at) {
+  const ViewScene& scene = shown.scene;
+  if (settings.view.overlays.on && settings.view.overlays.lights) {
     std::string nearest;
-    float best = editor.theme.px(12);
+    float best = theme.px(12);
     for (const PlacedLight& light : scene.lights)
-      if (const auto mark = lightMark(editor, light, view); mark && glm::length(*mark - at) < best)
+      if (const auto mark = lightMark(theme, shown, light, view); mark && glm::length(*mark - at) < best)
         best = glm::length(*mark - at), nearest = light.node;
     if (!nearest.empty()) return nearest;
   }
   const Ray ray = view.ray(at);
-  const nodes::Graph& graph = editor.document.root();
+  const nodes::Graph& graph = session.document.root();
   // What is seen there, so that a cloud within a haze can be chosen; else the nearest bounds.
-  const auto& picture = editor.preview.picture();
+  const auto& picture = shown.preview.picture();
   const auto seen =
       picture && picture->scene
           ? view::visiblePoint(*picture->scene, dvec2((at - view.min()) / (view.max() - view.min())))
@@ -92,17 +98,17 @@ std::string nodeAt(const Editor& editor, const Projection& view, vec2 at) {
   return name;
 }
 
-bool canInsertTransform(const Editor& editor) {
-  const std::string name = onlySelected(editor);
-  const nodes::Node* node = nodes::findNode(editor.document.graph(), name);
-  return node && node->type != "volume.transform" && volumeOutput(editor.document.graph(), name);
+bool canInsertTransform(const Session& session) {
+  const std::string name = onlySelected(session);
+  const nodes::Node* node = nodes::findNode(session.document.graph(), name);
+  return node && node->type != "volume.transform" && volumeOutput(session.document.graph(), name);
 }
 
-void insertTransform(Editor& editor) {
-  const std::string name = onlySelected(editor);
-  const nodes::Graph& before = editor.document.graph();
+void insertTransform(Ui& ui, Session& session) {
+  const std::string name = onlySelected(session);
+  const nodes::Graph& before = session.document.graph();
   const nodes::SocketSpec* output = volumeOutput(before, name);
-  if (!output) return editor.messages.hint("Select a volume first.");
+  if (!output) return ui.messages.hint("Select a volume first.");
   const dvec2 at = nodes::findNode(before, name)->at + dvec2(0, 110);
   const std::string added = nodes::freeName(before, "Transform");
   Result<nodes::Graph> graph = nodes::addNode(before, "volume.transform", at, added);
@@ -113,7 +119,7 @@ void insertTransform(Editor& editor) {
         link.fromNode = added, link.fromSocket = "volume";
     graph = nodes::connect(*graph, {name, output->id, added, "volume"});
   }
-  if (tryEdit(editor, std::move(graph), "Insert Transform")) editor.document.select({added});
+  if (tryEdit(session, ui.messages, std::move(graph), "Insert Transform")) session.document.select({added});
 }
 
 }  // namespace pileus::editor

@@ -4,13 +4,16 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Settings;
+struct Shown;
+struct Ui;
+struct ViewportRoom;
 
-void drawHistogram(Editor& editor, vec2 lo, vec2 hi);
+void drawHistogram(Ui& ui, const Shown& shown, vec2 lo, vec2 hi);
 /// The bands of exposure with their stops, along the panel's right edge, above the histogram or beside it.
 /// lo, hi: of the picture.
-void drawBandLegend(Editor& editor, vec2 lo, vec2 hi, float right);
+void drawBandLegend(Ui& ui, const Shown& shown, const Settings& settings, vec2 lo, vec2 hi, float right);
 /// `below`: where its first line may begin.
-void drawHud(Editor& editor, vec2 lo, vec2 hi, float below);
+void drawHud(const ViewportRoom& room, vec2 lo, vec2 hi, float below);
 
 }  // namespace pileus::editor

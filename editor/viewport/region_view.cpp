@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/picture/shown.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 
 namespace pileus::editor {
@@ -22,8 +24,8 @@ void dimAround(vec2 lo, vec2 hi, vec2 a, vec2 b) {
 }
 
 /// The drag that draws a region, from its press to its release.
-void dragRegion(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
-  RegionMode& mode = editor.viewport.mode.region;
+void dragRegion(const Theme& theme, Shown& shown, vec2 lo, vec2 hi, bool hovered) {
+  RegionMode& mode = shown.mode.region;
   const ImGuiIO& io = ImGui::GetIO();
   const dvec2 at =
       glm::clamp(dvec2((vec(io.MousePos) - lo) / glm::max(hi - lo, vec2(1))), dvec2(0), dvec2(1));
@@ -41,19 +43,19 @@ void dragRegion(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
   mode.from.reset();
   mode.drawing = false;
   // A click is no region: it leaves things as they were.
-  if (b.x - a.x < editor.theme.px(8) || b.y - a.y < editor.theme.px(8)) return;
+  if (b.x - a.x < theme.px(8) || b.y - a.y < theme.px(8)) return;
   mode.region = drawn;
   mode.on = true;
 }
 
-void drawClose(Editor& editor, vec2 corner) {
-  const Theme& theme = editor.theme;
+void drawClose(Ui& ui, Shown& shown, vec2 corner) {
+  const Theme& theme = ui.theme;
   const float side = theme.px(18);
   const ImVec2 at{corner.x - side - theme.px(3), corner.y + theme.px(3)};
   ImGui::SetCursorScreenPos(at);
   const bool clicked = ImGui::InvisibleButton("##region close", {side, side});
   const bool hovered = ImGui::IsItemHovered();
-  editor.trace.item("region/close");
+  ui.trace.item("region/close");
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(at, {at.x + side, at.y + side}, palette::kChip, theme.px(4));
   drawText(draw, theme.small,
@@ -61,26 +63,26 @@ void drawClose(Editor& editor, vec2 corner) {
             at.y + 0.5f * (side - theme.small->FontSize)},
            hovered ? palette::kText : palette::kTextDim, icon::kTimes, side);
   if (hovered) tooltip(theme, "Render the whole picture again (Alt+C)");
-  if (clicked) editor.viewport.mode.region.on = false;
+  if (clicked) shown.mode.region.on = false;
 }
 
 }  // namespace
 
-void drawRegionView(Editor& editor, vec2 lo, vec2 hi, bool hovered) {
-  RegionMode& mode = editor.viewport.mode.region;
+void drawRegionView(Ui& ui, Shown& shown, vec2 lo, vec2 hi, bool hovered) {
+  RegionMode& mode = shown.mode.region;
   if (mode.on) {
     const vec2 a = glm::round(lo + vec2(mode.region.min) * (hi - lo)),
                b = glm::round(lo + vec2(mode.region.max) * (hi - lo));
     dimAround(lo, hi, a, b);
     ImGui::GetWindowDrawList()->AddRect({a.x - 1, a.y - 1}, {b.x + 1, b.y + 1}, palette::kAccent);
-    editor.trace.rect("region", im(a), im(b));
-    if (!mode.drawing) drawClose(editor, {b.x, a.y});
+    ui.trace.rect("region", im(a), im(b));
+    if (!mode.drawing) drawClose(ui, shown, {b.x, a.y});
   }
-  if (mode.drawing) dragRegion(editor, lo, hi, hovered);
+  if (mode.drawing) dragRegion(ui.theme, shown, lo, hi, hovered);
 }
 
-bool cancelRegion(Editor& editor) {
-  RegionMode& mode = editor.viewport.mode.region;
+bool cancelRegion(Shown& shown) {
+  RegionMode& mode = shown.mode.region;
   const bool was = mode.drawing || mode.from;
   mode.drawing = false;
   mode.from.reset();

@@ -4,11 +4,12 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Shown;
+struct Ui;
 
 /// Over the picture's rectangle; `hovered`: the pointer may begin a drag there.
-void drawRegionView(Editor& editor, vec2 lo, vec2 hi, bool hovered);
+void drawRegionView(Ui& ui, Shown& shown, vec2 lo, vec2 hi, bool hovered);
 /// Leaves a drag or the waiting for one; true if there was any.
-bool cancelRegion(Editor& editor);
+bool cancelRegion(Shown& shown);
 
 }  // namespace pileus::editor

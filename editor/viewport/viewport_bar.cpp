@@ -6,27 +6,25 @@
 #include <array>
 #include <cmath>
 
-#include "editor/commands/actions.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "editor/viewport/bar_parts.h"
+#include "editor/viewport/viewport_room.h"
 
 namespace pileus::editor {
 namespace {
 
-std::string textParam(const nodes::Node& node, const nodes::NodeType& type, const char* id, double frame) {
-  const nodes::ParamSpec* spec = type.param(id);
-  if (!spec) return {};
-  const nodes::ParamValue value = nodes::paramValue(node, *spec, frame);
-  const std::string* text = std::get_if<std::string>(&value);
-  return text ? *text : std::string();
-}
 bool hasOutputs(const Bar& bar) { return bar.outputs.size() > 1; }
 bool hasDisplay(const Bar& bar) { return bar.type.param("display") && bar.type.param("view"); }
 bool hasLooks(const Bar& bar) {
-  return bar.type.param("look") && !bar.editor.viewport.colors->looks().empty();
+  return bar.type.param("look") && !bar.room.shown.displayed.colors->looks().empty();
 }
 bool hasExposure(const Bar& bar) { return bar.type.param("exposure"); }
 
@@ -67,7 +65,7 @@ float partWidth(const Theme& theme, const Part& part) {
 /// The parts that fit into `room`, most important ones first.
 std::array<bool, kCount> fitting(const Bar& bar, float room) {
   std::array<bool, kCount> shown{};
-  const Theme& theme = bar.editor.theme;
+  const Theme& theme = bar.room.ui.theme;
   for (int priority = 1; priority <= static_cast<int>(kCount); ++priority)
     for (std::size_t i = 0; i < kCount; ++i) {
       const Part& part = kParts[i];
@@ -86,7 +84,7 @@ void drawMore(Bar& bar) {
   const auto list = [&](const char* label, void (*items)(Bar&), bool wanted = true) {
     if (!wanted) return;
     const bool open = ImGui::BeginMenu(label);
-    bar.editor.trace.item(fmt::format("viewport/more/{}", label));
+    bar.room.ui.trace.item(fmt::format("viewport/more/{}", label));
     if (open) items(bar), ImGui::EndMenu();
   };
   list("Shown Node", listOutputs, hasOutputs(bar));
@@ -99,46 +97,46 @@ void drawMore(Bar& bar) {
   list("Draft Time", listDraftTimes);
   if (bar.type.param("gamma") && ImGui::BeginMenu("Gamma")) {
     dragNumber(bar, "gamma", bar.settings.gamma, "", "Gamma", "Gamma behind the view transform",
-               bar.editor.theme.px(96));
+               bar.room.ui.theme.px(96));
     ImGui::EndMenu();
   }
   ImGui::Separator();
   for (const char* id : {"viewport.raw", "viewport.false_color", "viewport.zebra", "viewport.inspector",
                          "viewport.histogram", "viewport.hud"})
-    actionMenuItem(bar.editor, id);
+    commandMenuItem(bar.room.ui, id);
   ImGui::Separator();
   for (const char* id : {"viewport.region", "viewport.region_toggle", "viewport.snapshot",
                          "viewport.snapshot_wipe", "viewport.compare"})
-    actionMenuItem(bar.editor, id);
+    commandMenuItem(bar.room.ui, id);
   ImGui::Separator();
   for (const char* id : {"viewport.frame", "viewport.reset_camera", "viewport.exposure_reset"})
-    actionMenuItem(bar.editor, id);
+    commandMenuItem(bar.room.ui, id);
 }
 
 void drawMoreButton(Bar& bar, ImVec2 at) {
-  Editor& editor = bar.editor;
+  const ViewportRoom& room = bar.room;
   const float side = ImGui::GetFrameHeight();
   ImGui::SetCursorScreenPos(at);
   const bool clicked = ImGui::InvisibleButton("##more", {side, side}), hovered = ImGui::IsItemHovered();
-  editor.trace.item("viewport/more");
+  room.ui.trace.item("viewport/more");
   if (hovered)
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, palette::kButtonHover,
-                                              editor.theme.px(4));
-  drawText(ImGui::GetWindowDrawList(), editor.theme.body,
-           {std::round(at.x + 0.5f * (side - textWidth(editor.theme.body, icon::kMore))),
-            std::round(at.y + 0.5f * (side - editor.theme.body->FontSize))},
+                                              room.ui.theme.px(4));
+  drawText(ImGui::GetWindowDrawList(), room.ui.theme.body,
+           {std::round(at.x + 0.5f * (side - textWidth(room.ui.theme.body, icon::kMore))),
+            std::round(at.y + 0.5f * (side - room.ui.theme.body->FontSize))},
            hovered ? palette::kText : palette::kTextDim, icon::kMore, side);
-  if (hovered) tooltip(editor.theme, "Everything about how the picture is shown");
+  if (hovered) tooltip(room.ui.theme, "Everything about how the picture is shown");
   if (clicked) ImGui::OpenPopup("viewport more");
-  ImGui::SetNextWindowPos({at.x + side, at.y + side + editor.theme.px(4)}, ImGuiCond_Appearing, {1, 0});
+  ImGui::SetNextWindowPos({at.x + side, at.y + side + room.ui.theme.px(4)}, ImGuiCond_Appearing, {1, 0});
   if (!ImGui::BeginPopup("viewport more")) return;
   drawMore(bar);
   ImGui::EndPopup();
 }
 
-std::vector<std::string> outputsOf(const Editor& editor, const std::string& shown) {
+std::vector<std::string> outputsOf(const Session& session, const std::string& shown) {
   std::vector<std::string> names;
-  for (const auto& [name, node] : editor.document.root().nodes)
+  for (const auto& [name, node] : session.document.root().nodes)
     if (const nodes::NodeType* type = nodes::findNodeType(node->type); type && type->isOutput)
       names.push_back(name);
   if (!shown.empty() && std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
@@ -147,51 +145,27 @@ std::vector<std::string> outputsOf(const Editor& editor, const std::string& show
 
 }  // namespace
 
-view::DisplaySettings displaySettings(const Editor& editor) {
-  const nodes::Node* node = nodes::findNode(editor.document.root(), displayNode(editor));
-  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
-  const DisplayMode& mode = editor.viewport.mode;
-  view::DisplaySettings settings;
-  settings.raw = mode.raw;
-  settings.channel = mode.channel;
-  settings.falseColor = mode.falseColor;
-  settings.zebra = mode.zebra;
-  if (!type) return settings;
-  settings.display = textParam(*node, *type, "display", editor.frame);
-  settings.view = textParam(*node, *type, "view", editor.frame);
-  settings.look = textParam(*node, *type, "look", editor.frame);
-  const auto number = [&](const char* id, double& out) {
-    const nodes::ParamSpec* spec = type->param(id);
-    if (!spec) return;
-    const nodes::ParamValue value = nodes::paramValue(*node, *spec, editor.frame);
-    if (const double* v = std::get_if<double>(&value)) out = *v;
-  };
-  number("exposure", settings.exposure);
-  number("gamma", settings.gamma);
-  return settings;
-}
-
-void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max) {
-  const Theme& theme = editor.theme;
+void drawViewportBar(const ViewportRoom& room, ImVec2 min, ImVec2 max) {
+  const Theme& theme = room.ui.theme;
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, palette::kPanel);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(5)});
-  const std::string view = displayNode(editor);
-  const nodes::Node* node = nodes::findNode(editor.document.root(), view);
+  const std::string view = displayNode(room.session, room.shown);
+  const nodes::Node* node = nodes::findNode(room.session.document.root(), view);
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
-  if (!type || !editor.viewport.colors) {
+  if (!type || !room.shown.displayed.colors) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("Viewport");
     return;
   }
-  Bar bar{editor,
+  Bar bar{room,
           view,
           *type,
-          displaySettings(editor),
-          outputsOf(editor, shownView(editor)),
-          layerChoices(editor),
+          displaySettings(room.session, room.clock, room.shown),
+          outputsOf(room.session, shownView(room.session, room.shown)),
+          layerChoices(room.shown),
           0};
-  bar.layer = shownLayer(editor, bar.layers);
-  editor.trace.note("viewport layer", bar.layers[bar.layer].label);
+  bar.layer = shownLayer(room.shown, bar.layers);
+  room.ui.trace.note("viewport layer", bar.layers[bar.layer].label);
   // Right of it is room for the buttons that maximise and hide the panel.
   const float side = ImGui::GetFrameHeight(), more = max.x - theme.px(66) - side, y = min.y + theme.px(5);
   const auto shown = fitting(bar, more - theme.space(2) - (min.x + theme.space(2)));

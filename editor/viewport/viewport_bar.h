@@ -3,14 +3,10 @@
 // the output node.
 #include <imgui.h>
 
-#include "renderer/view/display.h"
-
 namespace pileus::editor {
 
-struct Editor;
+struct ViewportRoom;
 
-/// As the shown output's parameters say.
-view::DisplaySettings displaySettings(const Editor& editor);
-void drawViewportBar(Editor& editor, ImVec2 min, ImVec2 max);
+void drawViewportBar(const ViewportRoom& room, ImVec2 min, ImVec2 max);
 
 }  // namespace pileus::editor

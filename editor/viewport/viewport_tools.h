@@ -4,10 +4,19 @@
 #include <optional>
 #include <string>
 
+#include "editor/picture/view_scene.h"
 #include "editor/viewport/handles/gizmo.h"
-#include "editor/viewport/view_scene.h"
 
 namespace pileus::editor {
+
+struct Clock;
+struct Session;
+struct Settings;
+struct Shown;
+struct Theme;
+struct Ui;
+struct Viewport;
+struct ViewportRoom;
 
 /// Puts a light by its shadow: a click on what casts, then the shadow follows the pointer.
 struct ShadowPlace {
@@ -15,13 +24,6 @@ struct ShadowPlace {
   std::string light;
   dvec3 caster{0};
   nodes::Graph before;  ///< what Esc brings back
-};
-
-/// The viewport's camera is that of a light.
-struct LightView {
-  std::string light;  ///< "" = off
-  dvec3 target{0};
-  double distance = 1, fov = 8;
 };
 
 struct ViewportTools {
@@ -38,34 +40,30 @@ struct ViewportTools {
   dvec3 pivot{0};
 
   ShadowPlace place;
-  LightView look;
   std::optional<scene::Camera> beforeAxis;  ///< what a right click on the axis cross goes back to
-  ViewScene scene;                          ///< what is shown, and what it was made of:
-  std::uint64_t sceneRevision = 0, sceneAnswered = 0;
-  std::string sceneView;
-  int sceneFrame = 0;
-  bool sceneComplete = false;
   bool overWidget = false;
 };
 
 /// Overlays, gizmo and the little controls over the picture, wherever it is shown.
-void drawViewportTools(Editor& editor, bool hovered);
+void drawViewportTools(const ViewportRoom& room, bool hovered);
 /// After everything that could be over the picture has been drawn. `hovered`: the pointer is free for it.
-void routeViewportPointer(Editor& editor, vec2 min, vec2 max, bool hovered);
+void routeViewportPointer(const ViewportRoom& room, vec2 min, vec2 max, bool hovered);
 /// Esc ends what is going on here; false: nothing was.
-bool escapeViewport(Editor& editor);
+bool escapeViewport(Session& session, Shown& shown, Viewport& viewport);
 /// Keys do nothing else while a handle is held.
-bool viewportHoldsKeys(const Editor& editor);
+bool viewportHoldsKeys(const Viewport& viewport);
 
 // Actions.
-void setGizmoMode(Editor& editor, GizmoMode mode);
-void insertTransform(Editor& editor);
-bool canInsertTransform(const Editor& editor);
-void frameSelected(Editor& editor);
+void setGizmoMode(Viewport& viewport, GizmoMode mode);
+void insertTransform(Ui& ui, Session& session);
+bool canInsertTransform(const Session& session);
+void frameSelected(Ui& ui, Session& session, Clock& clock, Shown& shown);
 
 /// The node that a click at a pixel chooses; "" = nothing there.
-std::string nodeAt(const Editor& editor, const Projection& view, vec2 at);
+std::string nodeAt(const Theme& theme, const Session& session, const Shown& shown, const Settings& settings,
+                   const Projection& view, vec2 at);
 /// Where a light's mark is drawn; nothing out of view.
-std::optional<vec2> lightMark(const Editor& editor, const PlacedLight& light, const Projection& view);
+std::optional<vec2> lightMark(const Theme& theme, const Shown& shown, const PlacedLight& light,
+                              const Projection& view);
 
 }  // namespace pileus::editor

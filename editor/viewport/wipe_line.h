@@ -4,15 +4,14 @@
 
 namespace pileus::editor {
 
-struct Editor;
-
-struct WipeLine {
-  double at = 0.5;  ///< of the picture's width
-  bool held = false;
-};
+struct Theme;
+struct Ui;
+struct Viewport;
+struct WipeLine;  // editor/picture/snapshots.h
 
 /// Follows the pointer while the grip is held; `hovered`: it may be taken.
-void moveWipeLine(Editor& editor, WipeLine& line, vec2 lo, vec2 hi, bool hovered);
-void drawWipeLine(Editor& editor, const WipeLine& line, vec2 lo, vec2 hi, const char* trace);
+void moveWipeLine(const Theme& theme, const Viewport& viewport, WipeLine& line, vec2 lo, vec2 hi,
+                  bool hovered);
+void drawWipeLine(Ui& ui, const WipeLine& line, vec2 lo, vec2 hi, const char* trace);
 
 }  // namespace pileus::editor

@@ -8,7 +8,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Clock;
+struct Session;
+struct Settings;
 
 struct LayoutCache {
   std::shared_ptr<const Layout> layout;
@@ -21,6 +24,7 @@ struct LayoutCache {
 };
 
 /// Of shownGraph(). Stays valid while it is held, whatever happens to the document.
-std::shared_ptr<const Layout> shownLayout(Editor& editor);
+std::shared_ptr<const Layout> shownLayout(const Session& session, const Clock& clock,
+                                          const Settings& settings, Canvas& canvas);
 
 }  // namespace pileus::editor

@@ -6,10 +6,14 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/scopes.h"
+#include "editor/time/clock.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -33,14 +37,14 @@ std::string joined(const std::vector<std::string>& scope) {
   return text;
 }
 
-void searchAgain(Editor& editor) {
-  FindNodes& find = editor.canvas.find;
-  find.revision = editor.document.revision();
-  find.frame = editor.frame;
+void searchAgain(const Session& session, const Clock& clock, Canvas& canvas) {
+  FindNodes& find = canvas.find;
+  find.revision = session.document.revision();
+  find.frame = clock.frame;
   const std::vector<FindMatch> before = std::move(find.all);
-  find.all = findMatches(editor.document.root(), find.query, editor.frame);
+  find.all = findMatches(session.document.root(), find.query, clock.frame);
   find.matches.clear();
-  const std::vector<std::string>& here = editor.document.scope();
+  const std::vector<std::string>& here = session.document.scope();
   for (const FindMatch& m : find.all)
     if (m.scope == here) find.matches.insert(m.node);
   // The chosen row stays chosen where it is still found.
@@ -54,36 +58,36 @@ void searchAgain(Editor& editor) {
   find.chosen = std::clamp(find.chosen, 0, std::max(0, static_cast<int>(find.all.size()) - 1));
 }
 
-void goTo(Editor& editor, const FindMatch& match) {
-  if (match.scope != editor.document.scope() && !goToScope(editor, match.scope))
-    return editor.messages.hint("The group of " + match.node + " is gone.");
-  editor.canvas.selectedLink.reset();
-  editor.canvas.selectedFrame.reset();
-  editor.document.select({match.node});
-  editor.canvas.frameSelection = true;
+void goTo(Ui& ui, Session& session, Canvas& canvas, const FindMatch& match) {
+  if (match.scope != session.document.scope() && !goToScope(session, canvas, match.scope))
+    return ui.messages.hint("The group of " + match.node + " is gone.");
+  session.selectedLink.reset();
+  canvas.selectedFrame.reset();
+  session.document.select({match.node});
+  canvas.frameSelection = true;
 }
 
-void drawRow(Editor& editor, const FindMatch& match, int row, float width) {
-  FindNodes& find = editor.canvas.find;
-  const Theme& theme = editor.theme;
+void drawRow(Ui& ui, Session& session, Canvas& canvas, const FindMatch& match, int row, float width) {
+  FindNodes& find = canvas.find;
+  const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = theme.px(kRow);
   ImGui::PushID(row);
   if (ImGui::InvisibleButton("row", {width, height})) {
-    goTo(editor, match);
+    goTo(ui, session, canvas, match);
     ImGui::CloseCurrentPopup();
   }
   if (ImGui::IsItemHovered() && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0))
     find.chosen = row;
-  if (editor.trace.on()) {
-    editor.trace.item("find/" + std::to_string(row));
-    editor.trace.note("find/" + std::to_string(row), joined(match.scope) + match.node + ": " + match.where);
+  if (ui.trace.on()) {
+    ui.trace.item("find/" + std::to_string(row));
+    ui.trace.note("find/" + std::to_string(row), joined(match.scope) + match.node + ": " + match.where);
   }
   ImGui::PopID();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (row == find.chosen)
     draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccentDim, theme.px(4));
-  const nodes::Node* node = nodeOf(editor.document.root(), match);
+  const nodes::Node* node = nodeOf(session.document.root(), match);
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   draw->AddRectFilled(
       {at.x + theme.px(6), at.y + theme.px(8)}, {at.x + theme.px(9), at.y + height - theme.px(8)},
@@ -99,9 +103,9 @@ void drawRow(Editor& editor, const FindMatch& match, int row, float width) {
   drawText(draw, theme.small, {x, at.y + theme.px(22)}, palette::kTextDim, below, room);
 }
 
-void drawField(Editor& editor) {
-  FindNodes& find = editor.canvas.find;
-  const Theme& theme = editor.theme;
+void drawField(Ui& ui, const Session& session, const Clock& clock, Canvas& canvas) {
+  FindNodes& find = canvas.find;
+  const Theme& theme = ui.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + theme.space(6));
@@ -119,19 +123,19 @@ void drawField(Editor& editor) {
   ImGui::InputTextWithHint("##query", "Name, type, parameter or value", &find.query,
                            ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleColor();
-  editor.trace.item("find/field");
+  ui.trace.item("find/field");
   // Every parameter of the graph is looked at: not for each frame that plays past.
-  const bool otherFrame = find.frame != editor.frame && !editor.timeline.clock.playing();
-  if (find.query != before || find.revision != editor.document.revision() || otherFrame) {
+  const bool otherFrame = find.frame != clock.frame && !clock.play.playing();
+  if (find.query != before || find.revision != session.document.revision() || otherFrame) {
     if (find.query != before) find.all.clear(), find.chosen = 0, find.scroll = true;
-    searchAgain(editor);
+    searchAgain(session, clock, canvas);
   }
   drawText(draw, theme.body, {at.x + theme.px(5), at.y + theme.px(5)}, palette::kTextDim, icon::kSearch,
            1e3f);
   const float right = at.x + theme.px(kWidth) - theme.space(5);
   drawText(draw, theme.small, {right - textWidth(theme.small, counted), at.y + theme.px(7)},
            palette::kTextFaint, counted, 1e3f);
-  editor.trace.note("find", std::string(counted));
+  ui.trace.note("find", std::string(counted));
   const float y = ImGui::GetItemRectMax().y + theme.px(2);
   draw->AddLine({at.x, y}, {at.x + theme.px(kWidth) - theme.space(4), y}, palette::kLine);
   ImGui::Dummy({0, theme.px(2)});
@@ -149,14 +153,14 @@ void walk(FindNodes& find) {
 
 }  // namespace
 
-void openFind(Editor& editor) {
-  editor.canvas.find.opening = true;
-  editor.canvas.find.revision = 0;
+void openFind(Canvas& canvas) {
+  canvas.find.opening = true;
+  canvas.find.revision = 0;
 }
 
-void drawFind(Editor& editor) {
-  FindNodes& find = editor.canvas.find;
-  const Theme& theme = editor.theme;
+void drawFind(Ui& ui, Session& session, const Clock& clock, Canvas& canvas) {
+  FindNodes& find = canvas.find;
+  const Theme& theme = ui.theme;
   if (!find.opening && !find.open) return;
   if (find.opening) {
     ImGui::OpenPopup(kPopup);
@@ -164,13 +168,12 @@ void drawFind(Editor& editor) {
   }
   // At the upper right, where it covers little of what it finds.
   ImGui::SetNextWindowPos(
-      {std::max(editor.canvas.max.x - theme.px(kWidth) - theme.px(12), editor.canvas.min.x),
-       editor.canvas.min.y + theme.px(12)});
+      {std::max(canvas.max.x - theme.px(kWidth) - theme.px(12), canvas.min.x), canvas.min.y + theme.px(12)});
   ImGui::SetNextWindowSize({theme.px(kWidth), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(2), theme.space(2)});
   find.open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
   if (find.open) {
-    drawField(editor);
+    drawField(ui, session, clock, canvas);
     walk(find);
     if (!find.query.empty()) {
       ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
@@ -182,7 +185,7 @@ void drawFind(Editor& editor) {
           ImGui::SetScrollHereY(0.5f);
           find.scroll = false;
         }
-        drawRow(editor, find.all[static_cast<std::size_t>(row)], row, width);
+        drawRow(ui, session, canvas, find.all[static_cast<std::size_t>(row)], row, width);
       }
       if (find.all.empty()) {
         ImGui::SetCursorPos({theme.space(4), theme.px(11)});
@@ -194,13 +197,13 @@ void drawFind(Editor& editor) {
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
     if (enter && !find.all.empty()) {
-      goTo(editor, find.all[static_cast<std::size_t>(find.chosen)]);
+      goTo(ui, session, canvas, find.all[static_cast<std::size_t>(find.chosen)]);
       ImGui::CloseCurrentPopup();
     }
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
-    editor.trace.rect("find", ImGui::GetWindowPos(),
-                      {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
-                       ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+    ui.trace.rect("find", ImGui::GetWindowPos(),
+                  {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+                   ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

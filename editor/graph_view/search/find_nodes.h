@@ -8,7 +8,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Clock;
+struct Session;
+struct Ui;
 
 struct FindNodes {
   bool opening = false, open = false;
@@ -21,8 +24,8 @@ struct FindNodes {
   bool scroll = false;
 };
 
-void openFind(Editor& editor);
+void openFind(Canvas& canvas);
 /// Once a frame, after the canvas.
-void drawFind(Editor& editor);
+void drawFind(Ui& ui, Session& session, const Clock& clock, Canvas& canvas);
 
 }  // namespace pileus::editor

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <numeric>
 
-#include "editor/app/editor.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_menus.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/graph_view/layout/layout.h"
 #include "editor/graph_view/search/fuzzy.h"
 #include "editor/graph_view/search/search_chips.h"
+#include "editor/preferences/settings.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "nodes/graph/graph_edits.h"
 #include "nodes/graph/graph_sockets.h"
@@ -23,9 +27,9 @@ namespace {
 constexpr char kPopup[] = "##node search";
 constexpr float kWidth = 380, kRows = 9;
 
-void addChosen(Editor& editor, const SearchItem& item) {
-  NodeSearch& search = editor.canvas.search;
-  const nodes::Graph& graph = editor.document.graph();
+void addChosen(Ui& ui, Session& session, Settings& settings, Canvas& canvas, const SearchItem& item) {
+  NodeSearch& search = canvas.search;
+  const nodes::Graph& graph = session.document.graph();
   const std::string name = nodes::freeName(graph, item.type->label);
   Result<nodes::Graph> added = nodes::addNode(graph, item.type->id, dvec2(search.place), name);
   std::string label = "Add " + name;
@@ -41,32 +45,33 @@ void addChosen(Editor& editor, const SearchItem& item) {
       if (const SocketPlace* socket = findSocket(*place, item.socket, drag.fromOutput))
         added = nodes::moveNodes(*added, {name}, dvec2(search.place - socket->at));
   }
-  if (added && !search.link && editor.canvas.selectedLink) {
+  if (added && !search.link && session.selectedLink) {
     // A new node goes into the selected link where it fits.
-    if (Result<nodes::Graph> inserted = nodes::insertOnLink(*added, name, *editor.canvas.selectedLink)) {
+    if (Result<nodes::Graph> inserted = nodes::insertOnLink(*added, name, *session.selectedLink)) {
       added = std::move(inserted);
       label = "Insert " + name;
     }
   }
-  if (!tryEdit(editor, std::move(added), label)) return;
-  editor.document.select({name});
-  remember(editor.settings.recentNodes, item.type->id);
+  if (!tryEdit(session, ui.messages, std::move(added), label)) return;
+  session.document.select({name});
+  remember(settings.recentNodes, item.type->id);
 }
 
-void drawRow(Editor& editor, const SearchItem& item, int row, bool chosen, float width) {
-  const Theme& theme = editor.theme;
+void drawRow(Ui& ui, Session& session, Settings& settings, Canvas& canvas, const SearchItem& item, int row,
+             bool chosen, float width) {
+  const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = theme.px(40);
   ImGui::PushID(row);
   if (ImGui::InvisibleButton("row", {width, height})) {
-    addChosen(editor, item);
+    addChosen(ui, session, settings, canvas, item);
     ImGui::CloseCurrentPopup();
   }
   const bool hovered = ImGui::IsItemHovered();
   if (hovered && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0))
-    editor.canvas.search.chosen = row;
-  editor.trace.item("search/" + std::to_string(row));
-  editor.trace.note("search/" + std::to_string(row), item.label);
+    canvas.search.chosen = row;
+  ui.trace.item("search/" + std::to_string(row));
+  ui.trace.note("search/" + std::to_string(row), item.label);
   ImGui::PopID();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   if (chosen) draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccentDim, theme.px(4));
@@ -94,16 +99,16 @@ void moveChosen(NodeSearch& search, int count) {
 }
 
 /// Everything else that the canvas can do, for those who came with a right click.
-void drawMore(Editor& editor, float width) {
-  const Theme& theme = editor.theme;
+void drawMore(Ui& ui, Canvas& canvas, float width) {
+  const Theme& theme = ui.theme;
   const float height = ImGui::GetItemRectSize().y;
   ImGui::SameLine(0, 0);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("more", {width, height})) {
     ImGui::CloseCurrentPopup();
-    openCanvasMenu(editor, {}, editor.canvas.search.at);
+    openCanvasMenu(canvas, {}, canvas.search.at);
   }
-  editor.trace.item("search/more");
+  ui.trace.item("search/more");
   const ImU32 ink = ImGui::IsItemHovered() ? palette::kTextStrong : palette::kTextDim;
   if (ImGui::IsItemHovered()) tooltip(theme, "All commands of the canvas");
   drawText(ImGui::GetWindowDrawList(), theme.body,
@@ -112,9 +117,9 @@ void drawMore(Editor& editor, float width) {
            ink, icon::kList, width);
 }
 
-void drawField(Editor& editor) {
-  NodeSearch& search = editor.canvas.search;
-  const Theme& theme = editor.theme;
+void drawField(Ui& ui, Canvas& canvas) {
+  NodeSearch& search = canvas.search;
+  const Theme& theme = ui.theme;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float indent = theme.space(6);
@@ -127,8 +132,8 @@ void drawField(Editor& editor) {
   ImGui::InputTextWithHint("##query", search.link ? "Nodes that fit this link" : "Search nodes",
                            &search.query);
   ImGui::PopStyleColor();
-  editor.trace.item("search/field");
-  if (more > 0) drawMore(editor, more);
+  ui.trace.item("search/field");
+  if (more > 0) drawMore(ui, canvas, more);
   if (search.query != before) search.chosen = 0, search.scrollToChosen = true;
   draw->AddText(theme.body, theme.body->FontSize, {at.x + theme.px(5), at.y + theme.px(5)}, palette::kTextDim,
                 icon::kSearch);
@@ -190,15 +195,16 @@ std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_vie
   return out;
 }
 
-void openSearch(Editor& editor, vec2 screen, vec2 place, std::optional<LinkDrag> link) {
-  NodeSearch& search = editor.canvas.search;
+void openSearch(const Session& session, Canvas& canvas, vec2 screen, vec2 place,
+                std::optional<LinkDrag> link) {
+  NodeSearch& search = canvas.search;
   search = NodeSearch{};
   search.opening = true;
   search.at = screen;
   search.place = place;
   std::optional<LinkFilter> filter;
   if (link) {
-    const Layout layout = layoutGraph(editor.document.graph(), {});
+    const Layout layout = layoutGraph(session.document.graph(), {});
     const NodePlace* node = findPlace(layout, link->node);
     const SocketPlace* socket = node ? findSocket(*node, link->socket, !link->fromOutput) : nullptr;
     if (!socket) return void(search.opening = false);
@@ -208,9 +214,9 @@ void openSearch(Editor& editor, vec2 screen, vec2 place, std::optional<LinkDrag>
   search.items = searchItems(filter);
 }
 
-void drawSearch(Editor& editor) {
-  NodeSearch& search = editor.canvas.search;
-  const Theme& theme = editor.theme;
+void drawSearch(Ui& ui, Session& session, Settings& settings, Canvas& canvas) {
+  NodeSearch& search = canvas.search;
+  const Theme& theme = ui.theme;
   if (search.opening) {
     ImGui::OpenPopup(kPopup);
     search.opening = false;
@@ -225,9 +231,9 @@ void drawSearch(Editor& editor) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(2), theme.space(2)});
   search.open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
   if (search.open) {
-    drawField(editor);
-    drawCategoryChips(editor);
-    std::vector<int> ranked = rankItems(search.items, search.query, editor.settings.recentNodes);
+    drawField(ui, canvas);
+    drawCategoryChips(ui, canvas);
+    std::vector<int> ranked = rankItems(search.items, search.query, settings.recentNodes);
     if (!search.category.empty())
       std::erase_if(ranked, [&](int i) {
         return search.items[static_cast<std::size_t>(i)].type->category != search.category;
@@ -242,7 +248,8 @@ void drawSearch(Editor& editor) {
         ImGui::SetScrollHereY(0.5f);
         search.scrollToChosen = false;
       }
-      drawRow(editor, search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(row)])], row,
+      drawRow(ui, session, settings, canvas,
+              search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(row)])], row,
               row == search.chosen, width);
     }
     if (ranked.empty()) {
@@ -251,18 +258,18 @@ void drawSearch(Editor& editor) {
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    drawSearchKeys(editor, width);
+    drawSearchKeys(ui.theme, width);
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
     if (enter && !ranked.empty()) {
-      addChosen(editor,
+      addChosen(ui, session, settings, canvas,
                 search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(search.chosen)])]);
       ImGui::CloseCurrentPopup();
     }
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
-    editor.trace.rect("search", ImGui::GetWindowPos(),
-                      {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
-                       ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
+    ui.trace.rect("search", ImGui::GetWindowPos(),
+                  {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+                   ImGui::GetWindowPos().y + ImGui::GetWindowHeight()});
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

@@ -9,7 +9,10 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Session;
+struct Settings;
+struct Ui;
 
 /// The end of a dragged link that a new node must fit.
 struct LinkFilter {
@@ -42,8 +45,9 @@ struct NodeSearch {
   std::vector<SearchItem> items;
 };
 
-void openSearch(Editor& editor, vec2 screen, vec2 place, std::optional<LinkDrag> link = {});
+void openSearch(const Session& session, Canvas& canvas, vec2 screen, vec2 place,
+                std::optional<LinkDrag> link = {});
 /// Once a frame, after the canvas.
-void drawSearch(Editor& editor);
+void drawSearch(Ui& ui, Session& session, Settings& settings, Canvas& canvas);
 
 }  // namespace pileus::editor

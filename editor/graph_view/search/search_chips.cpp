@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
-#include "editor/app/editor.h"
+#include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_view.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {
@@ -25,19 +27,19 @@ void walk(NodeSearch& search, const std::vector<std::string>& categories) {
 
 }  // namespace
 
-std::vector<std::string> searchCategories(const Editor& editor) {
+std::vector<std::string> searchCategories(const Canvas& canvas) {
   std::vector<std::string> all;
-  for (const SearchItem& item : editor.canvas.search.items)
+  for (const SearchItem& item : canvas.search.items)
     if (std::find(all.begin(), all.end(), item.type->category) == all.end())
       all.push_back(item.type->category);
   return all;
 }
 
-void drawCategoryChips(Editor& editor) {
-  NodeSearch& search = editor.canvas.search;
-  const std::vector<std::string> categories = searchCategories(editor);
+void drawCategoryChips(Ui& ui, Canvas& canvas) {
+  NodeSearch& search = canvas.search;
+  const std::vector<std::string> categories = searchCategories(canvas);
   if (categories.size() < 2) return;
-  const Theme& theme = editor.theme;
+  const Theme& theme = ui.theme;
   walk(search, categories);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float height = theme.small->FontSize + theme.px(6), pad = theme.px(7), gap = theme.px(4);
@@ -56,7 +58,7 @@ void drawCategoryChips(Editor& editor) {
       search.category = search.category == category ? std::string() : category;
       search.chosen = 0, search.scrollToChosen = true;
     }
-    editor.trace.item("search/category/" + category);
+    ui.trace.item("search/category/" + category);
     const bool on = search.category == category, over = ImGui::IsItemHovered();
     const ImU32 color = categoryColor(category);
     draw->AddRectFilled(at, {at.x + width, at.y + height},
@@ -70,8 +72,7 @@ void drawCategoryChips(Editor& editor) {
   ImGui::PopStyleVar();
 }
 
-void drawSearchKeys(Editor& editor, float width) {
-  const Theme& theme = editor.theme;
+void drawSearchKeys(const Theme& theme, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const char* keys = "Enter adds    Up, Down choose    Alt+Left, Alt+Right category    Esc closes";
   ImGui::Dummy({width, theme.small->FontSize + theme.px(4)});

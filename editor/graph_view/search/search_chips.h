@@ -5,12 +5,14 @@
 
 namespace pileus::editor {
 
-struct Editor;
+struct Canvas;
+struct Theme;
+struct Ui;
 
 /// Categories of what can be added here, in menu order.
-std::vector<std::string> searchCategories(const Editor& editor);
+std::vector<std::string> searchCategories(const Canvas& canvas);
 /// A line of chips; Alt+Left and Alt+Right walk through them too.
-void drawCategoryChips(Editor& editor);
-void drawSearchKeys(Editor& editor, float width);
+void drawCategoryChips(Ui& ui, Canvas& canvas);
+void drawSearchKeys(const Theme& theme, float width);
 
 }  // namespace pileus::editor

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/viewport/handles/gizmo_target.h"
+#include "editor/picture/node_placement.h"
 
 namespace pileus::editor {
 

@@ -5,11 +5,18 @@
 #include <array>
 #include <cfloat>
 
-#include "editor/app/editor.h"
-#include "editor/graph_view/canvas_view.h"
+#include "editor/document/session.h"
+#include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
 #include "editor/time/playback.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
+#include "editor/viewport/viewport.h"
+#include "editor/viewport/viewport_room.h"
 
 namespace pileus::editor {
 namespace {
@@ -86,36 +93,36 @@ const char* partName(GizmoHandle::Part part) {
   return kNames[static_cast<std::size_t>(part)];
 }
 
-void traceShapes(Editor& editor, const std::vector<GizmoShape>& shapes) {
-  if (!editor.trace.on()) return;
+void traceShapes(Ui& ui, const std::vector<GizmoShape>& shapes) {
+  if (!ui.trace.on()) return;
   for (const GizmoShape& s : shapes) {
     if (!s.handle) continue;
     // A place that is on the handle: its tip, the middle of an area or line.
     const vec2 at = s.tip != Tip::None ? s.line.back()
                     : s.filled         ? 0.5f * (s.line[0] + s.line[2])
                                        : s.line[s.line.size() / 2];
-    editor.trace.rect(fmt::format("gizmo/{}/{}", partName(s.handle->part), s.handle->axis), im(at - 1.0f),
-                      im(at + 1.0f));
+    ui.trace.rect(fmt::format("gizmo/{}/{}", partName(s.handle->part), s.handle->axis), im(at - 1.0f),
+                  im(at + 1.0f));
   }
 }
 
 }  // namespace
 
-std::optional<GizmoFrame> currentGizmo(const Editor& editor, const Projection& view) {
-  const std::string name = onlySelected(editor);
-  const ViewportTools& tools = editor.viewport.tools;
-  if (name.empty() || name == tools.look.light) return std::nullopt;
-  const nodes::Graph& graph = editor.document.graph();
-  std::optional<GizmoTarget> target = gizmoTarget(graph, name, pivotOf(editor, name), editor.frame);
+std::optional<GizmoFrame> currentGizmo(const ViewportRoom& room, const Projection& view) {
+  const std::string name = onlySelected(room.session);
+  const ViewportTools& tools = room.viewport.tools;
+  if (name.empty() || name == room.shown.look.light) return std::nullopt;
+  const nodes::Graph& graph = room.session.document.graph();
+  std::optional<GizmoTarget> target =
+      gizmoTarget(graph, name, pivotOf(room.session, room.shown, name), room.clock.frame);
   if (!target) return std::nullopt;
   // The camera that is looked through has no place to take hold of.
-  if (name == linkedCamera(editor, shownView(editor))) target->moves = false;
-  return gizmoFrame(*target, tools.mode, editor.settings.view.localAxes, view, editor.theme.px(96),
-                    sunCenter(tools.scene, view));
+  if (name == linkedCamera(room.session, shownView(room.session, room.shown))) target->moves = false;
+  return gizmoFrame(*target, tools.mode, room.settings.view.localAxes, view, room.ui.theme.px(96),
+                    sunCenter(room.shown.scene, view));
 }
 
-void drawReadout(const Editor& editor, vec2 at, const std::string& text) {
-  const Theme& theme = editor.theme;
+void drawReadout(const Theme& theme, vec2 at, const std::string& text) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const vec2 pad(theme.space(2), theme.px(4)), size(textWidth(theme.mono, text), theme.mono->FontSize);
   const vec2 lo = glm::round(at + vec2(theme.px(18), theme.px(14)));
@@ -123,41 +130,41 @@ void drawReadout(const Editor& editor, vec2 at, const std::string& text) {
   drawText(draw, theme.mono, lo + pad, palette::kText, text, size.x + 2);
 }
 
-void drawGizmo(Editor& editor, const Projection& view) {
-  const ViewportTools& tools = editor.viewport.tools;
-  const auto frame = currentGizmo(editor, view);
+void drawGizmo(const ViewportRoom& room, const Projection& view) {
+  const ViewportTools& tools = room.viewport.tools;
+  const auto frame = currentGizmo(room, view);
   if (!frame) return;
-  const auto shapes = gizmoShapes(*frame, view, editor.theme.px(1));
+  const auto shapes = gizmoShapes(*frame, view, room.ui.theme.px(1));
   for (const GizmoShape& s : shapes) {
     const bool held = tools.drag && s.handle == tools.drag->handle,
                hovered = !tools.drag && s.handle && s.handle == tools.over;
-    drawShape(editor.theme, s, held || hovered);
+    drawShape(room.ui.theme, s, held || hovered);
   }
-  traceShapes(editor, shapes);
+  traceShapes(room.ui, shapes);
   if (tools.drag && !tools.readout.empty()) {
-    drawReadout(editor, vec(ImGui::GetIO().MousePos), tools.readout);
-    editor.trace.note("gizmo readout", tools.readout);
+    drawReadout(room.ui.theme, vec(ImGui::GetIO().MousePos), tools.readout);
+    room.ui.trace.note("gizmo readout", tools.readout);
   }
 }
 
-bool beginGizmoDrag(Editor& editor, const Projection& view) {
-  ViewportTools& tools = editor.viewport.tools;
-  const auto frame = currentGizmo(editor, view);
+bool beginGizmoDrag(const ViewportRoom& room, const Projection& view) {
+  ViewportTools& tools = room.viewport.tools;
+  const auto frame = currentGizmo(room, view);
   if (!frame) return false;
   const vec2 at = vec(ImGui::GetIO().MousePos);
-  const auto handle = gizmoAt(gizmoShapes(*frame, view, editor.theme.px(1)), at, editor.theme.px(7));
+  const auto handle = gizmoAt(gizmoShapes(*frame, view, room.ui.theme.px(1)), at, room.ui.theme.px(7));
   if (!handle) return false;
-  holdFrame(editor, *nodes::findNode(editor.document.graph(), frame->target.node));
-  editor.document.endMerge();
+  holdFrame(room.clock, *nodes::findNode(room.session.document.graph(), frame->target.node));
+  room.session.document.endMerge();
   tools.drag = GizmoDrag{*handle, *frame, view.ray(at)};
-  tools.before = editor.document.graph();
+  tools.before = room.session.document.graph();
   tools.pointer = at;
   tools.readout.clear();
   return true;
 }
 
-void continueGizmoDrag(Editor& editor, const Projection& view) {
-  ViewportTools& tools = editor.viewport.tools;
+void continueGizmoDrag(const ViewportRoom& room, const Projection& view) {
+  ViewportTools& tools = room.viewport.tools;
   const ImGuiIO& io = ImGui::GetIO();
   const vec2 by = vec(io.MouseDelta) * (io.KeyShift ? 0.1f : 1.0f);
   tools.pointer += by;
@@ -166,32 +173,32 @@ void continueGizmoDrag(Editor& editor, const Projection& view) {
     const dvec3 place = tools.drag->handle.part == GizmoHandle::Part::Aim ? start.target.aim : start.center;
     const double metres = std::max(view.metresPerPixel(place), 1e-9);
     const auto dragged = dragGizmo(*tools.drag, view.ray(tools.pointer), io.KeyCtrl,
-                                   roundStep(metres * static_cast<double>(editor.theme.px(10))));
+                                   roundStep(metres * static_cast<double>(room.ui.theme.px(10))));
     if (dragged && glm::length(tools.pointer - vec(io.MouseClickedPos[0])) > 0.5f) {
       tools.readout = dragged->readout;
       // A tenth of a pixel is six digits of that many.
       Result<nodes::Graph> graph =
-          withTarget(tools.before, start.target, dragged->target, metres * 1e4, editor.frame);
+          withTarget(tools.before, start.target, dragged->target, metres * 1e4, room.clock.frame);
       const bool turns = dragged->target.rotate != start.target.rotate,
                  grows = dragged->target.scale != start.target.scale;
       const char* verb = start.target.sun || turns ? "Turn " : grows ? "Scale " : "Move ";
-      tryEdit(editor, std::move(graph), verb + start.target.node, kMergeKey);
-      editor.preview.touch();
+      tryEdit(room.session, room.ui.messages, std::move(graph), verb + start.target.node, kMergeKey);
+      room.shown.preview.touch();
     }
   }
   if (!ImGui::IsMouseDown(0)) {
     tools.drag.reset();
-    editor.document.endMerge();
+    room.session.document.endMerge();
   }
 }
 
-void cancelGizmoDrag(Editor& editor) {
-  ViewportTools& tools = editor.viewport.tools;
+void cancelGizmoDrag(Session& session, Viewport& viewport) {
+  ViewportTools& tools = viewport.tools;
   if (!tools.drag) return;
   tools.drag.reset();
   // Back where it began: the step vanishes with it.
-  editor.document.edit(tools.before, "", kMergeKey);
-  editor.document.endMerge();
+  session.document.edit(tools.before, "", kMergeKey);
+  session.document.endMerge();
 }
 
 }  // namespace pileus::editor

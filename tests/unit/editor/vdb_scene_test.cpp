@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "editor/app/crash_log.h"
+#include "editor/document/crash_log.h"
 #include "editor/document/drops.h"
 #include "editor/document/graph_pictures.h"
 #include "nodes/file/serialize.h"

@@ -1,0 +1,154 @@
+#include "editor/editor.h"
+
+#include <utility>
+
+#include "editor/commands/actions.h"
+#include "editor/commands/command_palette.h"
+#include "editor/commands/menu.h"
+#include "editor/commands/shortcut_sheet.h"
+#include "editor/document/drops.h"
+#include "editor/document/exporter.h"
+#include "editor/document/graph_pictures.h"
+#include "editor/document/session.h"
+#include "editor/graph_view/canvas.h"
+#include "editor/graph_view/graph_room.h"
+#include "editor/lab/lab.h"
+#include "editor/lab/lab_room.h"
+#include "editor/lab/ray_scope.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
+#include "editor/start/start_view.h"
+#include "editor/start/tour.h"
+#include "editor/status/log_panel.h"
+#include "editor/status/status_room.h"
+#include "editor/time/clock.h"
+#include "editor/timeline_view/timeline_room.h"
+#include "editor/timeline_view/timeline_state.h"
+#include "editor/toolkit/ui.h"
+#include "editor/toolkit/window.h"
+#include "editor/viewport/viewport.h"
+#include "editor/viewport/viewport_room.h"
+
+namespace pileus::editor {
+
+/// In the order in which they need each other: what holds GPU objects goes before the renderer does.
+struct Editor::Parts {
+  Parts(Editor& editor, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme, Settings theSettings)
+      : renderer(std::move(theRenderer)),
+        settings(std::move(theSettings)),
+        theme(std::move(theTheme)),
+        commandLooks([&editor](std::string_view id) { return commandLook(editor, id); }),
+        shown(*renderer),
+        exporter(renderer.get()) {}
+
+  std::unique_ptr<view::Renderer> renderer;
+  Settings settings;
+  Theme theme;
+  UiTrace trace;
+  Messages messages;
+  Requests requests;
+  Fields fields;
+  Modals modals;
+  FrameState now;
+  CommandLooks commandLooks;
+  Ui ui{theme, trace, messages, requests, fields, modals, now, commandLooks};
+
+  Session session;
+  Clock clock;
+  Shown shown;
+  Exporter exporter;
+  Drops drops;
+  GraphPictures pictures;
+
+  Canvas canvas;
+  Viewport viewport;
+  Parameters parameters;
+  Timeline timeline;
+  RayScope scope;
+  Lab lab;
+  LogPanel logPanel;
+  StartView start;
+  Tour tour;
+  MenuBar menuBar;
+  CommandPalette commands;
+  ShortcutSheet sheet;
+
+  GraphRoom graphRoom{ui, session, clock, shown, settings, canvas};
+  ViewportRoom viewportRoom{ui, session, clock, shown, settings, viewport};
+  ParameterRoom parameterRoom{ui, session, clock, shown, settings, parameters};
+  TimelineRoom timelineRoom{ui, session, clock, shown, settings, timeline};
+  LabRoom labRoom{ui, session, clock, shown, settings, lab};
+  StatusRoom statusRoom{ui, session, clock, shown, exporter, logPanel};
+};
+
+Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme,
+               Settings theSettings)
+    : parts_(std::make_unique<Parts>(*this, std::move(theRenderer), std::move(theTheme),
+                                     std::move(theSettings))),
+      window(theWindow),
+      settings(parts_->settings),
+      ui(parts_->ui),
+      theme(parts_->theme),
+      trace(parts_->trace),
+      messages(parts_->messages),
+      requests(parts_->requests),
+      fields(parts_->fields),
+      modals(parts_->modals),
+      now(parts_->now),
+      session(parts_->session),
+      clock(parts_->clock),
+      shown(parts_->shown),
+      exporter(parts_->exporter),
+      drops(parts_->drops),
+      pictures(parts_->pictures),
+      canvas(parts_->canvas),
+      viewport(parts_->viewport),
+      parameters(parts_->parameters),
+      timeline(parts_->timeline),
+      scope(parts_->scope),
+      lab(parts_->lab),
+      logPanel(parts_->logPanel),
+      start(parts_->start),
+      tour(parts_->tour),
+      menuBar(parts_->menuBar),
+      commands(parts_->commands),
+      sheet(parts_->sheet),
+      graphRoom(parts_->graphRoom),
+      viewportRoom(parts_->viewportRoom),
+      parameterRoom(parts_->parameterRoom),
+      timelineRoom(parts_->timelineRoom),
+      labRoom(parts_->labRoom),
+      statusRoom(parts_->statusRoom) {}
+
+Editor::~Editor() = default;
+
+void documentReplaced(Editor& editor) {
+  ++editor.session.generation;
+  editor.session.selectedLink.reset();
+  editor.clock = Clock{};
+  editor.clock.frame = editor.session.document.root().settings.frames.x;
+  Shown& shown = editor.shown;
+  shown.activeView.clear();
+  shown.slots = {};
+  shown.freeCamera.reset();
+  shown.look = {};
+  shown.scene = {};
+  shown.mode.layer = {};
+  shown.mode.scan.forget();
+  shown.mode.region = {};
+  shown.displayed.colorsOf = "\n";
+  shown.snapshots = {};
+  shown.ray = {};
+  shown.preview.forgetPicture();
+  editor.viewport.tools = {};
+  editor.canvas = Canvas{};
+  editor.timeline = Timeline{};
+  editor.parameters = Parameters{};
+  editor.fields = Fields{};
+  editor.scope = RayScope{};
+  editor.lab = Lab{};
+}
+
+}  // namespace pileus::editor

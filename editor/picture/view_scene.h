@@ -1,0 +1,58 @@
+#pragma once
+// What stands in the shown picture and which nodes it comes from: for framing, picking and overlays. Read
+// from the last values of the evaluator, so that nothing vanishes while something is being worked out.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "editor/picture/node_placement.h"
+#include "renderer/scene/solid.h"
+#include "renderer/volume/instance.h"
+
+namespace pileus::editor {
+
+struct Clock;
+struct Session;
+struct Shown;
+
+struct PlacedVolume {
+  volume::Instance instance;
+  Box3 bounds;                     ///< world
+  std::vector<std::string> chain;  ///< nodes it passes through, from the render's input up to its source
+};
+struct PlacedSolid {
+  scene::Solid solid;
+  std::vector<std::string> chain;
+};
+struct PlacedLight {
+  std::string node;
+  GizmoTarget target;  ///< where its parameters put it
+};
+
+struct ViewScene {
+  std::vector<PlacedVolume> volumes;
+  std::vector<PlacedSolid> solids;
+  std::vector<PlacedLight> lights;
+  Box3 bounds;  ///< of the volumes
+};
+
+/// The scene of the picture as it was last looked at, and what it was made of.
+struct SceneCache : ViewScene {
+  std::uint64_t revision = 0, answered = 0;
+  std::string view;
+  int frame = 0;
+  bool complete = false;
+};
+/// Looks again where document, frame or their values have changed; once a frame.
+void followScene(const Session& session, const Clock& clock, Shown& shown);
+/// Of the selected nodes as they are seen: also where a transform further down moves them.
+Box3 selectionBounds(const Session& session, const ViewScene& scene);
+/// Where suns, which are nowhere, have their marks: the middle of the volumes if it is in view, else that of
+/// the view.
+dvec3 sunCenter(const ViewScene& scene, const Projection& view);
+/// The middle of what flows into a transform, in its own input's place.
+dvec3 pivotOf(const Session& session, const Shown& shown, const std::string& node);
+/// The only selected node, if there is just one.
+std::string onlySelected(const Session& session);
+
+}  // namespace pileus::editor

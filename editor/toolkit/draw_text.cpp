@@ -1,0 +1,34 @@
+#include "editor/toolkit/draw_text.h"
+
+#include <cmath>
+
+namespace pileus::editor {
+namespace {
+
+constexpr std::string_view kEllipsis = "\xe2\x80\xa6";
+
+}  // namespace
+
+float textWidth(ImFont* font, std::string_view text) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+}
+
+float drawText(ImDrawList* draw, ImFont* font, vec2 at, ImU32 color, std::string_view text, float width) {
+  const ImVec2 where = {std::round(at.x), std::round(at.y)};
+  const float full = textWidth(font, text);
+  if (full <= width) {
+    draw->AddText(font, font->FontSize, where, color, text.data(), text.data() + text.size());
+    return full;
+  }
+  const float dots = textWidth(font, kEllipsis);
+  if (width < dots) return 0;
+  const char* cut = nullptr;
+  const float part =
+      font->CalcTextSizeA(font->FontSize, width - dots, 0, text.data(), text.data() + text.size(), &cut).x;
+  draw->AddText(font, font->FontSize, where, color, text.data(), cut);
+  draw->AddText(font, font->FontSize, {where.x + std::round(part), where.y}, color, kEllipsis.data(),
+                kEllipsis.data() + kEllipsis.size());
+  return part + dots;
+}
+
+}  // namespace pileus::editor

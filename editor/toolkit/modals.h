@@ -1,0 +1,32 @@
+#pragma once
+// What stops everything else until it is answered: questions, notices and the file dialog.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "editor/toolkit/file_browser.h"
+#include "editor/toolkit/question.h"
+
+namespace pileus::editor {
+
+struct Modals {
+  struct Fault {
+    bool error = false;
+    std::string text;
+  };
+
+  std::function<void()> afterUnsaved;  ///< set: ask about unsaved changes, then do this
+  std::vector<Fault> faults;           ///< not empty: list them
+  std::string faultsOf;                ///< the file they were found in
+  std::string errorTitle, errorText;   ///< not empty: an error that needs reading
+  bool shortcuts = false, about = false;
+  Questions questions;  ///< any others, one after the other
+  FileBrowser browser;
+
+  /// Is there one of them, the file dialog aside?
+  bool anyOpen() const {
+    return afterUnsaved || !faults.empty() || !errorText.empty() || shortcuts || about || questions.open();
+  }
+};
+
+}  // namespace pileus::editor

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "editor/cli/graph_file.h"
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/picture_layers.h"
 #include "nodes/file/still_metadata.h"

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "editor/cli/graph_file.h"
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "renderer/view/picture.h"
 

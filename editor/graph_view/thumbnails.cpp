@@ -7,6 +7,7 @@
 #include "editor/app/editor.h"
 #include "editor/graph_view/node_status.h"
 #include "editor/viewport/viewport_bar.h"
+#include "nodes/declare/value.h"
 #include "renderer/shadow/shadow_map.h"
 #include "renderer/view/map_thumbnail.h"
 #include "renderer/view/picture.h"

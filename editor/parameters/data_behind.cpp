@@ -9,6 +9,7 @@
 #include "editor/app/editor.h"
 #include "editor/graph_view/canvas_view.h"
 #include "editor/toolkit/widgets.h"
+#include "nodes/declare/value.h"
 
 namespace pileus::editor {
 namespace {

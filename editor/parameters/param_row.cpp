@@ -11,6 +11,7 @@
 #include "editor/parameters/param_widgets.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/widgets.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph_sockets.h"
 
 namespace pileus::editor {

@@ -9,6 +9,7 @@
 #include "editor/picture/shadow_place.h"
 #include "editor/picture/viewed_node.h"
 #include "editor/time/playback.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph_animation.h"
 
 namespace pileus::editor {

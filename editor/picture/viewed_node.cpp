@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "editor/app/editor.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph_groups.h"
 #include "nodes/graph/graph_sockets.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "editor/preferences/appearance.h"
-#include "nodes/declare/value.h"
+#include "nodes/declare/socket_type.h"
 
 namespace pileus::editor {
 

@@ -6,6 +6,7 @@
 
 #include "editor/app/editor.h"
 #include "editor/picture/shown_camera.h"
+#include "nodes/declare/value.h"
 
 namespace pileus::editor {
 namespace {

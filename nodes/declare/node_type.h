@@ -6,17 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "nodes/declare/value.h"
+#include "nodes/declare/param_value.h"
 #include "renderer/base/result.h"
 
 namespace pileus::nodes {
 
 class EvalContext;
-
-enum class ParamType { Bool, Int, Float, Vector, Color, Text, File, Enum, Curve, Ramp };
-
-/// Curves and ramps have neither keys nor links: they are what the file says.
-constexpr bool constantOnly(ParamType type) { return type == ParamType::Curve || type == ParamType::Ramp; }
 
 /// What a curve's or ramp's 0 .. 1 stands for: densities of the volumes at an input, between two parameters.
 struct DataRange {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/declare/eval_context.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph.h"
 
 namespace pileus::nodes {

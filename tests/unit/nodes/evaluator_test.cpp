@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/file/serialize.h"
 #include "tests/support/support.h"

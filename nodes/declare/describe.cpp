@@ -21,12 +21,11 @@ SocketSpec& addSocket(std::vector<SocketSpec>& sockets, std::string id, SocketTy
   return s;
 }
 
-ParamSpec& addParam(std::vector<ParamSpec>& params, std::string id, ParamType type, ParamValue fallback) {
+ParamSpec& addParam(std::vector<ParamSpec>& params, std::string id, ParamType type) {
   ParamSpec& p = params.emplace_back();
   p.label = labelFromId(id);
   p.id = std::move(id);
   p.type = type;
-  p.fallback = std::move(fallback);
   p.hardMin = -1e9, p.hardMax = 1e9;
   return p;
 }

@@ -29,6 +29,8 @@ class ParamRow {
   ParamRow& over(std::string input, std::string lowest, std::string highest, std::string what = "density") {
     return spec_->data = {std::move(input), std::move(lowest), std::move(highest), std::move(what)}, *this;
   }
+  /// Instead of all of the enum's, in its words.
+  ParamRow& choices(std::vector<Choice> v) { return spec_->choices = std::move(v), *this; }
   ParamRow& socket() { return spec_->socket = true, *this; }
   ParamRow& file(std::string kinds, bool writes = false) {
     return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this;
@@ -65,7 +67,7 @@ template <class T, class... Path>
 using Member = std::remove_reference_t<decltype(memberOf(std::declval<T&>(), std::declval<Path>()...))>;
 
 SocketSpec& addSocket(std::vector<SocketSpec>& sockets, std::string id, SocketType type);
-ParamSpec& addParam(std::vector<ParamSpec>& params, std::string id, ParamType type, ParamValue fallback);
+ParamSpec& addParam(std::vector<ParamSpec>& params, std::string id, ParamType type);
 
 /// How the members of a type's `In` and `Out` are written and read.
 struct Members {
@@ -113,11 +115,14 @@ class Describe {
       };
       return SocketRow(s);
     } else {
-      ParamSpec& p = detail::addParam(type_->params, std::move(id), Traits::param,
-                                      Traits::kept(detail::memberOf(*defaults_, path...)));
+      ParamSpec& p = detail::addParam(type_->params, std::move(id), Traits::param);
       if constexpr (DescribedEnum<M>)
         for (const auto& item : enumInfo(static_cast<M*>(nullptr)))
           p.choices.push_back({std::string(item.id), std::string(item.label), std::string(item.help)});
+      p.get = [path...](const void* in) {
+        return Traits::kept(detail::memberOf(*static_cast<const In*>(in), path...));
+      };
+      p.fallback = p.get(defaults_);
       p.set = [path...](void* in, const ParamValue& v) {
         Traits::take(detail::memberOf(*static_cast<In*>(in), path...), v);
       };
@@ -146,6 +151,7 @@ NodeType makeNode(std::string id, int version, void (*describe)(Describe<In, Out
   type.version = version;
   Describe<In, Out> d(type, defaults);
   describe(d);
+  type.defaults = defaults;
   type.evaluate = [evaluate, defaults = std::move(defaults), members = detail::Members(type)](
                       std::span<const std::vector<SocketValue>> inputs, std::span<const ParamValue> params,
                       EvalContext& context) -> Result<std::vector<SocketValue>> {

@@ -1,6 +1,7 @@
 #pragma once
 // A node type: the one declaration that the interface, files, docs, command line and tests read. Built by
 // makeNode (describe.h).
+#include <any>
 #include <functional>
 #include <span>
 #include <string>
@@ -37,7 +38,8 @@ struct ParamSpec {
   bool writes = false;  ///< File: an output, not an input (does not enter the content key with its stamp)
   DataRange data;       ///< Curve, Ramp
   bool socket = false;  ///< an input socket without being exposed
-  std::function<void(void* in, const ParamValue&)> set;
+  std::function<void(void* in, const ParamValue&)> set;  ///< of an In of the type
+  std::function<ParamValue(const void* in)> get;
 };
 
 struct SocketSpec {
@@ -69,6 +71,7 @@ struct NodeType {
   std::vector<SocketSpec> inputs, outputs;
   std::vector<ParamSpec> params;
   unsigned uses = UsesNothing;
+  std::any defaults;      ///< the In that a node begins with: for those who know that struct
   bool isOutput = false;  ///< a sink that is evaluated because it exists (output.*)
   /// Link values by input index (a list per input), parameters by index; returns one value per output.
   std::function<Result<std::vector<SocketValue>>(std::span<const std::vector<SocketValue>> inputs,

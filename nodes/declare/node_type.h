@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nodes/declare/param_value.h"
+#include "nodes/declare/uses.h"
 #include "renderer/base/result.h"
 
 namespace pileus::nodes {
@@ -50,18 +51,6 @@ struct SocketSpec {
   bool any = false;       ///< passes every type (a dot); `type` is not used
   std::function<void(void* in, const SocketValue&)> assign;  ///< inputs; called once per link, in order
   std::function<SocketValue(const void* out)> read;          ///< outputs
-};
-
-/// Parts of the context a type depends on; only these enter its content key.
-enum Uses : unsigned {
-  UsesNothing = 0,
-  UsesFrame = 1,
-  UsesSize = 2,
-  UsesQuality = 4,
-  UsesFreeCamera = 8,
-  UsesColor = 16,
-  UsesLayers = 32,
-  UsesRate = 64
 };
 
 struct NodeType {

@@ -92,8 +92,7 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
   return std::nullopt;
 }
 
-Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings,
-               const Settings& document) {
+Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings) {
   Hasher hash;
   hash.add(std::string_view(type.id)).add(type.version);
   for (const ParamValue& value : in.params) addParam(hash, value);
@@ -120,8 +119,6 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
         .add(settings.extra.lights);
     hash.add(r.min.x).add(r.min.y).add(r.max.x).add(r.max.y);
   }
-  if (type.uses & UsesColor)
-    hash.add(std::string_view(document.ocio)).add(std::string_view(document.workingSpace));
   if ((type.uses & UsesFreeCamera) && !cameraLinked) addCamera(hash, settings.freeCamera);
   return hash.key();
 }

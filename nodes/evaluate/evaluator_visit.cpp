@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/declare/eval_context.h"
 #include "nodes/evaluate/evaluator_impl.h"
 #include "nodes/graph/graph_sockets.h"
 #include "renderer/base/log.h"

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "nodes/declare/eval_context.h"
+#include "nodes/declare/eval_settings.h"
 #include "nodes/declare/value.h"
 #include "nodes/graph/graph.h"
+#include "renderer/base/hash.h"
 
 namespace pileus::nodes {
 

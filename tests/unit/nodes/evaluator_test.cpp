@@ -1,6 +1,7 @@
 // Content-key evaluation with real CPU types: what runs again, and what each failure says.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <limits>
 

@@ -9,6 +9,7 @@
 
 #include "editor/cli/bench_tables.h"
 #include "embedded_presets.h"
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/file/serialize.h"
 #include "renderer/base/file.h"

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -12,10 +13,12 @@
 #include <fmt/ranges.h>
 
 #include "editor/cli/graph_file.h"
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/picture_layers.h"
 #include "nodes/file/still_metadata.h"
 #include "renderer/base/file.h"
+#include "renderer/base/profile.h"
 #include "renderer/gl/context.h"
 #include "renderer/image/color.h"
 #include "renderer/image/exr.h"

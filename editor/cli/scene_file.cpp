@@ -3,10 +3,12 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <thread>
 
 #include "editor/cli/graph_file.h"
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "renderer/view/picture.h"
 

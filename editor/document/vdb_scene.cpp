@@ -144,12 +144,6 @@ bool inView(const scene::Camera& camera, const Box3& bounds) {
   return angle < 1.3 * half && size > 0.06 * half && size < 4 * half;
 }
 
-/// Three digits say what is known of a guess.
-double threeDigits(double v) {
-  const double digits = std::pow(10.0, std::floor(std::log10(std::max(v, 1e-9))) - 2);
-  return std::round(v / digits) * digits;
-}
-
 /// What files were made into: names of nodes, and how many rows they take.
 struct Added {
   std::vector<std::string> media, fires;
@@ -167,7 +161,7 @@ std::string addFile(Builder& build, const volume::VdbFit& fit, double row, const
 void addSmoke(Builder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
   const std::string file = addFile(build, fit, added.rows, name, fit.byDefault ? "" : fit.guess.grid);
   const std::string medium = build.add("volume.medium", 1, added.rows++, file + " Medium");
-  build.set(medium, "extinction", std::min(threeDigits(fit.fit.extinction), 1e6));
+  build.set(medium, "extinction", std::min(volume::threeDigits(fit.fit.extinction), 1e6));
   build.set(medium, "albedo", dvec3(0.95));
   build.set(medium, "anisotropy", 0.2);
   build.link(file, "volume", medium, "volume");

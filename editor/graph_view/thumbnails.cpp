@@ -13,6 +13,7 @@
 #include "editor/time/clock.h"
 #include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport_bar.h"
+#include "nodes/declare/value.h"
 #include "renderer/shadow/shadow_map.h"
 #include "renderer/view/map_thumbnail.h"
 #include "renderer/view/picture.h"

@@ -15,6 +15,7 @@
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
+#include "nodes/declare/value.h"
 
 namespace pileus::editor {
 namespace {

@@ -17,6 +17,7 @@
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph_sockets.h"
 
 namespace pileus::editor {

@@ -4,6 +4,7 @@
 
 #include "editor/picture/viewed_node.h"
 
+#include "nodes/declare/value.h"
 #include "renderer/view/picture.h"
 #include "renderer/view/renderer.h"
 

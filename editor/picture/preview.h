@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "editor/picture/draft_pace.h"
-#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "renderer/base/profile.h"
 

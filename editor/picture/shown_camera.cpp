@@ -12,6 +12,7 @@
 #include "editor/picture/viewed_node.h"
 #include "editor/time/clock.h"
 #include "editor/time/playback.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph_animation.h"
 
 namespace pileus::editor {

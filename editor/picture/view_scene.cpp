@@ -8,6 +8,7 @@
 #include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
 #include "editor/time/clock.h"
+#include "nodes/declare/value.h"
 
 namespace pileus::editor {
 namespace {

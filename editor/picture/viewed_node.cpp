@@ -7,6 +7,7 @@
 
 #include <deque>
 
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph_groups.h"
 #include "nodes/graph/graph_sockets.h"
 

@@ -1,69 +1,44 @@
 #pragma once
 // What evaluate() may see and say. One lives per node evaluation, on the GL thread.
 #include <any>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "nodes/declare/eval_settings.h"
+#include "nodes/declare/uses.h"
 #include "renderer/base/hash.h"
-#include "renderer/base/math.h"
 #include "renderer/base/profile.h"
-#include "renderer/scene/camera.h"
-#include "renderer/view/picture_layer.h"
 
-namespace pileus::image {
-class ColorConfig;
-}
 namespace pileus::view {
-struct Picture;
 class Renderer;  // renderer/view/renderer.h: the GPU services (pools, programs, stores)
-}  // namespace pileus::view
+}
 
 namespace pileus::nodes {
 
-enum class Quality {
-  Draft,  ///< while something is dragged: small pictures, small maps, one sample
-  Final,  ///< as the parameters say
-};
-
-/// What the evaluator is asked for, beside the graph.
-struct EvalSettings {
-  int frame = 1;
-  ivec2 size{1280, 720};  ///< full picture size; a draft divides it itself
-  Quality quality = Quality::Final;
-  std::optional<scene::Camera>
-      freeCamera;  ///< the viewport's camera; absent: pictures without a camera frame the volumes
-  std::filesystem::path folder;  ///< relative file parameters start here
-  int draftPixels = 0;           ///< of a draft's picture; 0: as the device allows
-  int draftTexels = 0;           ///< along the edge of a draft's shadow map; 0: as the device allows
-  view::PictureLayer layer;      ///< what pictures hold
-  view::ExtraLayers extra;       ///< and what is made beside it
-  view::PictureRegion region;    ///< the part of a picture that is made
-  std::shared_ptr<const view::Picture> seed;  ///< what parts still to come show; no part of any key
-  double fps = 24;                            ///< the document's; the evaluator sets it
-  double budgetMs =
-      30;  ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
-};
-
 class EvalContext {
  public:
+  /// `uses`: what the type declares.
   EvalContext(const EvalSettings& settings, view::Renderer* renderer, std::any& state, const Key& key,
-              const Stopwatch& clock)
-      : settings_(&settings), renderer_(renderer), state_(&state), key_(key), clock_(&clock) {}
+              const Stopwatch& clock, unsigned uses = UsesNothing)
+      : settings_(&settings), renderer_(renderer), state_(&state), key_(key), clock_(&clock), uses_(uses) {}
 
-  // Context values: legal only where the type's uses() declares them (they enter the content key there).
-  int frame() const { return settings_->frame; }
-  double fps() const { return settings_->fps; }
-  ivec2 size() const { return settings_->size; }
-  Quality quality() const { return settings_->quality; }
-  const std::optional<scene::Camera>& freeCamera() const { return settings_->freeCamera; }
-  int draftPixels() const { return settings_->draftPixels; }
-  int draftTexels() const { return settings_->draftTexels; }
-  const view::PictureLayer& layer() const { return settings_->layer; }
-  const view::ExtraLayers& extra() const { return settings_->extra; }
-  const view::PictureRegion& region() const { return settings_->region; }
+  // Parts of the context: only where the type declares them. To read another is noted as a fault of the type,
+  // whose results would be kept for longer than they are true.
+  int frame() const { return settings(UsesFrame).frame; }
+  double fps() const { return settings(UsesRate).fps; }
+  ivec2 size() const { return settings(UsesSize).size; }
+  Quality quality() const { return settings(UsesQuality).quality; }
+  const std::optional<scene::Camera>& freeCamera() const { return settings(UsesFreeCamera).freeCamera; }
+  /// For types that use the size.
+  int draftPixels() const { return settings(UsesQuality | UsesSize).draftPixels; }
+  /// For those that do not.
+  int draftTexels() const { return settings(UsesQuality).draftTexels; }
+  const view::PictureLayer& layer() const { return settings(UsesLayers).layer; }
+  const view::ExtraLayers& extra() const { return settings(UsesLayers).extra; }
+  const view::PictureRegion& region() const { return settings(UsesLayers).region; }
+  /// No part of any key, so that all may read it.
   const std::shared_ptr<const view::Picture>& seed() const { return settings_->seed; }
 
   /// Null in evaluations without a GPU (tests of the model); types that need it fail with Code::Gpu.
@@ -112,13 +87,21 @@ class EvalContext {
   const std::vector<std::string>& notes() const { return notes_; }
   double gpuMs() const { return gpuMs_; }
   std::size_t bytes() const { return bytes_; }
+  unsigned undeclared() const { return undeclared_; }  ///< Uses bits of what was read against the declaration
 
  private:
+  const EvalSettings& settings(unsigned needed) const {
+    undeclared_ |= needed & ~uses_;
+    return *settings_;
+  }
+
   const EvalSettings* settings_;
   view::Renderer* renderer_;
   std::any* state_;
   Key key_;
   const Stopwatch* clock_;
+  unsigned uses_;
+  mutable unsigned undeclared_ = 0;
   bool incomplete_ = false, usable_ = true, waits_ = false;
   double fraction_ = 1;
   std::uint64_t revision_ = 0;

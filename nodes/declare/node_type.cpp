@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "nodes/declare/describe.h"
-
 namespace pileus::nodes {
 namespace {
 
@@ -109,15 +107,6 @@ Result<ParamValue> checkedParam(const ParamSpec& spec, const ParamValue& given) 
 
 bool convertible(SocketType from, SocketType to) {
   return from == to || (from == SocketType::Number && (to == SocketType::Vector || to == SocketType::Color));
-}
-
-std::string labelFromId(std::string_view id) {
-  std::string label(id);
-  for (char& c : label)
-    if (c == '_') c = ' ';
-  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z')
-    label[0] = static_cast<char>(label[0] - 'a' + 'A');
-  return label;
 }
 
 }  // namespace pileus::nodes

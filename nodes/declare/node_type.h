@@ -1,22 +1,19 @@
 #pragma once
 // A node type: the one declaration that the interface, files, docs, command line and tests read. Built by
 // makeNode (describe.h).
+#include <any>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "nodes/declare/value.h"
+#include "nodes/declare/param_value.h"
+#include "nodes/declare/uses.h"
 #include "renderer/base/result.h"
 
 namespace pileus::nodes {
 
 class EvalContext;
-
-enum class ParamType { Bool, Int, Float, Vector, Color, Text, File, Enum, Curve, Ramp };
-
-/// Curves and ramps have neither keys nor links: they are what the file says.
-constexpr bool constantOnly(ParamType type) { return type == ParamType::Curve || type == ParamType::Ramp; }
 
 /// What a curve's or ramp's 0 .. 1 stands for: densities of the volumes at an input, between two parameters.
 struct DataRange {
@@ -42,7 +39,8 @@ struct ParamSpec {
   bool writes = false;  ///< File: an output, not an input (does not enter the content key with its stamp)
   DataRange data;       ///< Curve, Ramp
   bool socket = false;  ///< an input socket without being exposed
-  std::function<void(void* in, const ParamValue&)> set;
+  std::function<void(void* in, const ParamValue&)> set;  ///< of an In of the type
+  std::function<ParamValue(const void* in)> get;
 };
 
 struct SocketSpec {
@@ -55,18 +53,6 @@ struct SocketSpec {
   std::function<SocketValue(const void* out)> read;          ///< outputs
 };
 
-/// Parts of the context a type depends on; only these enter its content key.
-enum Uses : unsigned {
-  UsesNothing = 0,
-  UsesFrame = 1,
-  UsesSize = 2,
-  UsesQuality = 4,
-  UsesFreeCamera = 8,
-  UsesColor = 16,
-  UsesLayers = 32,
-  UsesRate = 64
-};
-
 struct NodeType {
   std::string id;   ///< "shadow.extinction"
   int version = 1;  ///< bump when the same inputs give another result
@@ -74,6 +60,7 @@ struct NodeType {
   std::vector<SocketSpec> inputs, outputs;
   std::vector<ParamSpec> params;
   unsigned uses = UsesNothing;
+  std::any defaults;      ///< the In that a node begins with: for those who know that struct
   bool isOutput = false;  ///< a sink that is evaluated because it exists (output.*)
   /// Link values by input index (a list per input), parameters by index; returns one value per output.
   std::function<Result<std::vector<SocketValue>>(std::span<const std::vector<SocketValue>> inputs,

@@ -2,6 +2,7 @@
 // Node types that shape the graph and compute nothing: dots and groups. They are resolved before evaluation
 // (flatten.h, evaluator.h), so that they have sockets of any type and no evaluate() of their own.
 #include "nodes/declare/node_type.h"
+#include "nodes/declare/value.h"
 
 namespace pileus::nodes {
 

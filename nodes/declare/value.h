@@ -1,13 +1,12 @@
 #pragma once
-// What flows along links. Values are cheap to copy; GPU results are shared and immutable once published.
-#include <array>
+// What flows along links. Values are cheap to copy; GPU results are shared and immutable once published. For
+// nodes and for what reads their results: graphs do without.
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "nodes/declare/curve.h"
-#include "renderer/base/enum_info.h"
+#include "nodes/declare/socket_type.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/light.h"
 #include "renderer/scene/solid.h"
@@ -22,22 +21,6 @@ struct Picture;  // renderer/view/picture.h
 }
 
 namespace pileus::nodes {
-
-enum class SocketType { Volume, Light, Metric, Camera, Solid, Image, Number, Vector, Color, Text };
-constexpr auto enumInfo(SocketType*) {
-  using T = SocketType;
-  return std::array{
-      EnumItem<T>{T::Volume, "volume", "Volume", "A list of placed volumes with their media."},
-      EnumItem<T>{T::Light, "light", "Light", "A list of lights, each perhaps with its shadow map."},
-      EnumItem<T>{T::Metric, "metric", "Metric", "A pseudometric map with its frustum, light and volumes."},
-      EnumItem<T>{T::Camera, "camera", "Camera", "A camera."},
-      EnumItem<T>{T::Solid, "solid", "Solid", "A list of opaque solids."},
-      EnumItem<T>{T::Image, "image", "Image", "A scene-linear picture with layers."},
-      EnumItem<T>{T::Number, "number", "Number", "A number."},
-      EnumItem<T>{T::Vector, "vector", "Vector", "Three numbers."},
-      EnumItem<T>{T::Color, "color", "Color", "A colour in the working space."},
-      EnumItem<T>{T::Text, "text", "Text", "A text."}};
-}
 
 /// A colour parameter: linear in the working space.
 struct Color {
@@ -69,12 +52,11 @@ struct ImageValue {
   std::shared_ptr<const view::Picture> picture;  ///< null: nothing linked
 };
 
-/// What a socket holds; monostate: nothing linked.
-using SocketValue = std::variant<std::monostate, VolumeValue, LightValue, MetricValue, CameraValue,
-                                 SolidValue, ImageValue, double, dvec3, Color, std::string>;
-
-/// A parameter's constant: booleans, integers, numbers, vectors and colours (three numbers), texts (also file
-/// paths and enum ids), curves and ramps.
-using ParamValue = std::variant<bool, int, double, dvec3, std::string, Curve, Ramp>;
+/// What a socket holds; monostate: nothing linked. A struct, so that it can be declared ahead.
+using AnySocketValue = std::variant<std::monostate, VolumeValue, LightValue, MetricValue, CameraValue,
+                                    SolidValue, ImageValue, double, dvec3, Color, std::string>;
+struct SocketValue : AnySocketValue {
+  using AnySocketValue::AnySocketValue;
+};
 
 }  // namespace pileus::nodes

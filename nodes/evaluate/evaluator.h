@@ -6,8 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "nodes/declare/eval_context.h"
+#include "nodes/declare/eval_settings.h"
 #include "nodes/graph/graph.h"
+#include "renderer/base/hash.h"
+
+namespace pileus::view {
+class Renderer;  // renderer/view/renderer.h
+}
 
 namespace pileus::nodes {
 

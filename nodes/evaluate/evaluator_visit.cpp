@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nodes/declare/eval_context.h"
 #include "nodes/evaluate/evaluator_impl.h"
 #include "nodes/graph/graph_sockets.h"
+#include "renderer/base/log.h"
 
 namespace pileus::nodes {
 namespace {
@@ -15,6 +17,16 @@ std::string located(const std::string& node, const NodeType& type, const std::st
   const bool named = head.size() < message.size() &&
                      (type.param(head) || type.inputIndex(head) >= 0 || type.outputIndex(head) >= 0);
   return node + (named ? "." : ": ") + message;
+}
+
+std::string usesText(unsigned uses) {
+  constexpr std::pair<unsigned, std::string_view> kNames[] = {
+      {UsesFrame, "frame"},           {UsesSize, "size"},     {UsesQuality, "quality"},
+      {UsesFreeCamera, "freeCamera"}, {UsesLayers, "layers"}, {UsesRate, "rate"}};
+  std::string text;
+  for (const auto& [bit, name] : kNames)
+    if (uses & bit) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
 }
 
 }  // namespace
@@ -94,7 +106,7 @@ void Evaluator::Impl::passThrough(const NodeType& type, const NodeInputs& in, Ru
 /// One call of the node's evaluate(); nothing it throws gets past here.
 void Evaluator::Impl::step(const std::string& name, const NodeType& type, const NodeInputs& in,
                            CachedResult& result, const Key& key) {
-  EvalContext context(*settings, renderer, result.state, key, clock);
+  EvalContext context(*settings, renderer, result.state, key, clock, type.uses);
   const Stopwatch watch;
   Result<std::vector<SocketValue>> values = fail(Code::Internal, "not evaluated");
   try {
@@ -104,6 +116,9 @@ void Evaluator::Impl::step(const std::string& name, const NodeType& type, const 
   } catch (...) {
     values = fail(Code::Internal, "internal error: unknown exception");
   }
+  if (context.undeclared())
+    log::error("{}: internal error: {} reads parts of the context that it does not declare: {}", name,
+               type.id, usesText(context.undeclared()));
   ++statuses[name].evaluations;
   result.cpuMs += watch.ms();
   result.gpuMs += context.gpuMs();
@@ -244,12 +259,12 @@ void Evaluator::Impl::visit(const std::string& name) {
       return failed(name, NodeState::Failed,
                     fail(Code::Input, "{}.{}: nothing is linked", name, type->inputs[i].id));
 
-  run.key = contentKey(*type, in, *settings, graph.settings);
+  run.key = contentKey(*type, in, *settings);
   if (settings->quality == Quality::Draft && (type->uses & UsesQuality)) {
     // What is there in full already is better than a draft and costs nothing.
     EvalSettings full = *settings;
     full.quality = Quality::Final;
-    const Key key = contentKey(*type, in, full, graph.settings);
+    const Key key = contentKey(*type, in, full);
     if (cache.finished(key)) run.key = key;
   }
   CachedResult& result = cache.at(run.key, call);

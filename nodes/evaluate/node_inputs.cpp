@@ -1,36 +1,36 @@
 #include "nodes/evaluate/node_inputs.h"
 
-#include "nodes/declare/describe.h"
+#include <cmath>
+
+#include "nodes/declare/value_traits.h"
 #include "renderer/base/file.h"
 
 namespace pileus::nodes {
 namespace {
 
+template <class T>
+requires std::is_arithmetic_v<T>
+void add(Hasher& hash, T v) { hash.add(v); }
+void add(Hasher& hash, const dvec3& v) { hash.add(v.x).add(v.y).add(v.z); }
+void add(Hasher& hash, const std::string& text) { hash.add(std::string_view(text)); }
+void add(Hasher& hash, const Curve& curve) {
+  hash.add(curve.shape).add(curve.points.size());
+  for (const dvec2& p : curve.points) hash.add(p.x).add(p.y);
+}
+void add(Hasher& hash, const Ramp& ramp) {
+  hash.add(ramp.shape).add(ramp.stops.size());
+  for (const RampStop& s : ramp.stops) hash.add(s.at), add(hash, s.color);
+}
+
 void addParam(Hasher& hash, const ParamValue& value) {
   hash.add(value.index());
-  std::visit(
-      [&hash](const auto& v) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, dvec3>) {
-          hash.add(v.x).add(v.y).add(v.z);
-        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>) {
-          hash.add(std::string_view(v));
-        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Curve>) {
-          hash.add(v.shape).add(v.points.size());
-          for (const dvec2& p : v.points) hash.add(p.x).add(p.y);
-        } else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Ramp>) {
-          hash.add(v.shape).add(v.stops.size());
-          for (const RampStop& s : v.stops) hash.add(s.at).add(s.color.x).add(s.color.y).add(s.color.z);
-        } else {
-          hash.add(v);
-        }
-      },
-      value);
+  std::visit([&hash](const auto& v) { add(hash, v); }, value);
 }
 
 void addCamera(Hasher& hash, const std::optional<scene::Camera>& camera) {
   hash.add(camera.has_value());
   if (!camera) return;
-  for (const dvec3& v : {camera->eye, camera->target, camera->up}) hash.add(v.x).add(v.y).add(v.z);
+  for (const dvec3& v : {camera->eye, camera->target, camera->up}) add(hash, v);
   hash.add(camera->fov);
 }
 
@@ -42,10 +42,14 @@ Result<ParamValue> paramFrom(const ParamSpec& spec, const SocketValue& value) {
     if (spec.type == ParamType::Int) return ParamValue(std::round(*number));  // checked and converted below
     return ParamValue(*number);
   }
-  if (const auto* vector = std::get_if<dvec3>(&value)) return ParamValue(*vector);
-  if (const auto* color = std::get_if<Color>(&value)) return ParamValue(dvec3(color->rgb));
-  if (const auto* text = std::get_if<std::string>(&value)) return ParamValue(*text);
-  return fail(Code::Input, "is not a value this parameter takes");
+  return std::visit(
+      [](const auto& v) -> Result<ParamValue> {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (!std::is_same_v<T, std::monostate>)
+          if constexpr (ValueTraits<T>::isParam) return ValueTraits<T>::kept(v);
+        return fail(Code::Input, "is not a value this parameter takes");
+      },
+      value);
 }
 
 }  // namespace
@@ -88,8 +92,7 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
   return std::nullopt;
 }
 
-Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings,
-               const Settings& document) {
+Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings) {
   Hasher hash;
   hash.add(std::string_view(type.id)).add(type.version);
   for (const ParamValue& value : in.params) addParam(hash, value);
@@ -116,8 +119,6 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
         .add(settings.extra.lights);
     hash.add(r.min.x).add(r.min.y).add(r.max.x).add(r.max.y);
   }
-  if (type.uses & UsesColor)
-    hash.add(std::string_view(document.ocio)).add(std::string_view(document.workingSpace));
   if ((type.uses & UsesFreeCamera) && !cameraLinked) addCamera(hash, settings.freeCamera);
   return hash.key();
 }
@@ -132,18 +133,7 @@ SocketValue convertedValue(const SocketValue& value, SocketType to) {
 
 SocketValue joinedValue(const std::vector<SocketValue>& values) {
   SocketValue joined = values.front();
-  const auto append = [&](auto& list) {
-    using List = std::decay_t<decltype(list)>;
-    for (std::size_t i = 1; i < values.size(); ++i) detail::assignSocket<List>(list, values[i]);
-  };
-  if (auto* volumes = std::get_if<VolumeValue>(&joined))
-    append(*volumes);
-  else if (auto* lights = std::get_if<LightValue>(&joined))
-    append(*lights);
-  else if (auto* solids = std::get_if<SolidValue>(&joined))
-    append(*solids);
-  else
-    joined = values.back();
+  for (std::size_t i = 1; i < values.size(); ++i) join(joined, values[i]);
   return joined;
 }
 

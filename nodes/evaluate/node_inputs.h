@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "nodes/declare/eval_context.h"
+#include "nodes/declare/eval_settings.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph.h"
+#include "renderer/base/hash.h"
 
 namespace pileus::nodes {
 
@@ -30,8 +32,7 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
 
 /// hash(type, version, parameters, keys of linked outputs, and of the context what the type declares to use).
 /// The free camera counts only where no camera is linked.
-Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings,
-               const Settings& document);
+Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings);
 
 /// Number to Vector or Color where that is what the input takes; else the value itself.
 SocketValue convertedValue(const SocketValue& value, SocketType to);

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "nodes/declare/value.h"
+#include "nodes/declare/param_value.h"
 #include "renderer/base/enum_info.h"
 
 namespace pileus::nodes {

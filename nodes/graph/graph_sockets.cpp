@@ -42,26 +42,6 @@ std::string_view labelOf(SocketType type) {
 
 }  // namespace
 
-SocketType socketType(ParamType type) {
-  switch (type) {
-    case ParamType::Bool:
-    case ParamType::Int:
-    case ParamType::Float:
-      return SocketType::Number;
-    case ParamType::Vector:
-      return SocketType::Vector;
-    case ParamType::Color:
-      return SocketType::Color;
-    case ParamType::Text:
-    case ParamType::File:
-    case ParamType::Enum:
-    case ParamType::Curve:  // never asked: no sockets
-    case ParamType::Ramp:
-      break;
-  }
-  return SocketType::Text;
-}
-
 bool isSocket(const Node& node, const ParamSpec& spec) {
   if (constantOnly(spec.type)) return false;
   return spec.socket || std::find(node.expose.begin(), node.expose.end(), spec.id) != node.expose.end();

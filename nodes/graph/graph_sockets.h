@@ -24,8 +24,6 @@ struct SocketInfo {
 std::vector<SocketInfo> inputsOf(const Graph& graph, const std::string& node);
 std::vector<SocketInfo> outputsOf(const Graph& graph, const std::string& node);
 
-/// The type a parameter has as a socket: Number for Bool, Int and Float, Text for files and choices.
-SocketType socketType(ParamType type);
 /// Is this parameter an input socket of the node?
 bool isSocket(const Node& node, const ParamSpec& spec);
 /// Is it a type whose values pass through unchanged (dot, group.input, group.output)?

@@ -1,8 +1,9 @@
 #include "nodes/shadows/shadow_spec_nodes.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
+
+#include "nodes/shadows/shadow_inputs.h"
 
 namespace pileus::nodes {
 namespace {
@@ -10,123 +11,40 @@ namespace {
 using shadow::ShadowSpec;
 using Kind = ShadowSpec::Kind;
 
-struct KindName {
-  Kind kind;
-  const char* type;
-};
-constexpr std::array kKinds{
-    KindName{Kind::Extinction, "shadow.extinction"}, KindName{Kind::FourierOpacity, "shadow.fourier_opacity"},
-    KindName{Kind::TransmittanceFunction, "shadow.transmittance_function"},
-    KindName{Kind::Deep, "shadow.deep"}, KindName{Kind::RayMarch, "shadow.ray_march"}};
 constexpr int kDefaultResolution = 1024;  ///< of shadow.extinction without a metric
 
-std::optional<Kind> kindOf(std::string_view type) {
-  for (const KindName& k : kKinds)
-    if (type == k.type) return k.kind;
-  return std::nullopt;
+/// The In of a node type, as a node begins with it; null where the type has another.
+template <class In>
+const In* defaultsOf(const Node& node) {
+  const NodeType* type = findNodeType(node.type);
+  return type ? std::any_cast<In>(&type->defaults) : nullptr;
 }
 
-/// Every parameter of a node type and the member it stands for, walked in one place: by what reads and by
-/// what writes.
-template <class Spec, class Visit>
-void visitMetric(Spec& m, const Visit& visit) {
-  visit("representation", m.metric);
-  visit("intervals", m.intervals);
-  visit("coefficients", m.coefficients);
-  visit("resolution", m.resolution);
-  visit("storage", m.storage);
-  visit("coverage", m.coverage);
-  visit("weighting", m.weighting);
-  visit("horizon", m.horizon);
-  visit("compact", m.compact);
+std::optional<Kind> kindOf(const Node& node) {
+  const ShadowIn* defaults = defaultsOf<ShadowIn>(node);
+  return defaults ? std::optional(defaults->spec.kind) : std::nullopt;
 }
 
-template <class Spec, class Visit>
-void visitShadow(Spec& s, const Visit& visit) {
-  switch (s.kind) {
-    case Kind::Extinction:
-      visit("basis", s.extinction.basis);
-      visit("coefficients", s.extinction.coefficients);
-      visit("resolution", s.extinction.resolution);
-      visit("storage", s.extinction.storage);
-      visit("accumulation", s.extinction.accumulation);
-      visit("damping", s.extinction.damping);
-      return;
-    case Kind::FourierOpacity:
-      visit("coefficients", s.coefficients);
-      visit("range", s.range);
-      visit("damping", s.damping);
-      visit("storage", s.storage);
-      visit("resolution", s.resolution);
-      return;
-    case Kind::TransmittanceFunction:
-      visit("coefficients", s.coefficients);
-      visit("basis", s.basis);
-      visit("storage", s.storage);
-      visit("resolution", s.resolution);
-      return;
-    case Kind::Deep:
-      visit("error_bound", s.errorBound);
-      visit("node_budget", s.nodeBudget);
-      visit("filter", s.filter);
-      visit("resolution", s.resolution);
-      return;
-    case Kind::RayMarch:
-      visit("step_scale", s.stepScale);
-      return;
-  }
+/// What the node's parameters say at a frame.
+template <class In>
+std::optional<In> read(const Node& node, double frame) {
+  const In* defaults = defaultsOf<In>(node);
+  if (!defaults) return std::nullopt;
+  In in = *defaults;
+  for (const ParamSpec& spec : findNodeType(node.type)->params) spec.set(&in, paramValue(node, spec, frame));
+  return in;
 }
 
-/// Members whose parameter the type lacks keep what they hold.
-class Reader {
- public:
-  Reader(const Node& node, double frame) : node_(node), type_(findNodeType(node.type)), frame_(frame) {}
-  template <class T>
-  void operator()(const char* id, T& member) const {
-    const ParamSpec* spec = type_ ? type_->param(id) : nullptr;
-    if (!spec) return;
-    const ParamValue value = paramValue(node_, *spec, frame_);
-    if constexpr (DescribedEnum<T>) {
-      if (const auto* text = std::get_if<std::string>(&value)) member = enumFromId<T>(*text).value_or(member);
-    } else if (const T* v = std::get_if<T>(&value)) {
-      member = *v;
-    }
+/// The graph with these parameters in a node whose type has this In.
+template <class In>
+Result<Graph> written(Graph graph, const std::string& name, const In& in) {
+  const Node* node = findNode(graph, name);
+  if (!node || !defaultsOf<In>(*node)) return fail(Code::Arguments, "there is no node '{}' for this", name);
+  for (const ParamSpec& spec : findNodeType(node->type)->params) {
+    PILEUS_TRY(graph, setParam(graph, name, spec.id, spec.get(&in)));
   }
-
- private:
-  const Node& node_;
-  const NodeType* type_;
-  double frame_;
-};
-
-/// Sets what differs from what the node says.
-class Writer {
- public:
-  Writer(Graph graph, std::string node) : graph_(std::move(graph)), node_(std::move(node)) {}
-  template <class T>
-  void operator()(const char* id, const T& member) const {
-    if (error_) return;
-    ParamValue value;
-    if constexpr (DescribedEnum<T>)
-      value = std::string(enumId(member));
-    else
-      value = member;
-    auto edited = setParam(graph_, node_, id, value);
-    if (edited)
-      graph_ = std::move(edited).value();
-    else
-      error_ = edited.error();
-  }
-  Result<Graph> finish() && {
-    if (error_) return *error_;
-    return std::move(graph_);
-  }
-
- private:
-  mutable Graph graph_;
-  std::string node_;
-  mutable std::optional<Error> error_;
-};
+  return graph;
+}
 
 const Link* linkInto(const Graph& graph, const std::string& node, std::string_view socket) {
   for (const Link& l : graph.links)
@@ -138,19 +56,17 @@ const Link* linkInto(const Graph& graph, const std::string& node, std::string_vi
 
 Result<ShadowNodes> readShadow(const Graph& graph, const std::string& name, double frame) {
   const Node* node = findNode(graph, name);
-  const auto kind = node ? kindOf(node->type) : std::nullopt;
-  if (!kind) return fail(Code::Input, "{}: is no shadow node", name);
-  ShadowNodes out{name, "", {}};
-  out.spec.kind = *kind;
-  visitShadow(out.spec, Reader(*node, frame));
-  if (*kind != Kind::Extinction) return out;
+  const auto in = node ? read<ShadowIn>(*node, frame) : std::nullopt;
+  if (!in) return fail(Code::Input, "{}: is no shadow node", name);
+  ShadowNodes out{name, "", in->spec};
+  if (out.spec.kind != Kind::Extinction) return out;
   out.spec.metric.metric = shadow::Metric::None;
   if (const Link* link = linkInto(graph, name, "metric"))
-    if (const Node* metric = findNode(graph, link->fromNode);
-        metric && metric->type == "shadow.pseudometric") {
-      out.metric = link->fromNode;
-      visitMetric(out.spec.metric, Reader(*metric, frame));
-    }
+    if (const Node* from = findNode(graph, link->fromNode))
+      if (const auto metric = read<MetricIn>(*from, frame)) {
+        out.metric = link->fromNode;
+        out.spec.metric = metric->metric;
+      }
   // 0: the metric's.
   if (out.spec.extinction.resolution == 0)
     out.spec.extinction.resolution = out.metric.empty() ? kDefaultResolution : out.spec.metric.resolution;
@@ -164,7 +80,7 @@ std::vector<ShadowNodes> shadowsOf(const Graph& graph, const std::string& render
   const std::function<void(const std::string&)> visit = [&](const std::string& name) {
     const Node* node = findNode(graph, name);
     if (!node || !seen.insert(name).second) return;
-    if (kindOf(node->type) && !node->bypass && name != renderNode) {
+    if (kindOf(*node) && !node->bypass && name != renderNode) {
       if (auto shadow = readShadow(graph, name, frame)) out.push_back(std::move(shadow).value());
       return;
     }
@@ -183,7 +99,7 @@ std::vector<ShadowNodes> shadowsOf(const Graph& graph, const std::string& render
 
 Result<Graph> writeShadow(const Graph& graph, const ShadowNodes& shadow, const ShadowSpec& wanted) {
   const Node* node = findNode(graph, shadow.node);
-  if (!node || kindOf(node->type) != wanted.kind)
+  if (!node || kindOf(*node) != wanted.kind)
     return fail(Code::Arguments, "{}: is no node for {}", shadow.node, shadow::describe(wanted));
   ShadowSpec spec = wanted;
   Graph edited = graph;
@@ -193,15 +109,15 @@ Result<Graph> writeShadow(const Graph& graph, const ShadowNodes& shadow, const S
           Code::Arguments, "{}: {}", shadow.node,
           shadow.metric.empty() ? "has no pseudometric to write to" : "its pseudometric cannot become none");
     if (!shadow.metric.empty()) {
-      Writer metric(std::move(edited), shadow.metric);
-      visitMetric(std::as_const(spec.metric), metric);
-      PILEUS_TRY(edited, std::move(metric).finish());
+      MetricIn metric;
+      metric.metric = spec.metric;
+      PILEUS_TRY(edited, written(std::move(edited), shadow.metric, metric));
       if (spec.extinction.resolution == spec.metric.resolution) spec.extinction.resolution = 0;
     }
   }
-  Writer writer(std::move(edited), shadow.node);
-  visitShadow(std::as_const(spec), writer);
-  return std::move(writer).finish();
+  ShadowIn in;
+  in.spec = spec;
+  return written(std::move(edited), shadow.node, in);
 }
 
 }  // namespace pileus::nodes

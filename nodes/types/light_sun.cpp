@@ -8,9 +8,7 @@ struct In {
   double azimuth = 30;
   double elevation = 40;
   double irradiance = 10;
-  Color color{vec3(1.0f)};
-  bool use_temperature = false;
-  double temperature = 6500;
+  LightColor color;
   double angle = 0;
   int disc_samples = 8;
 };
@@ -29,7 +27,7 @@ void describe(Describe<In, Out>& d) {
       .range(0, 1e9)
       .soft(0, 50)
       .help("At normal incidence, before the colour.");
-  describeLightColor(d, "irradiance");
+  describeLightColor(d, "irradiance", &In::color);
   d.in("angle", &In::angle)
       .unit("deg")
       .range(0, 90)
@@ -48,7 +46,7 @@ Result<Out> evaluate(const In& in, EvalContext&) {
   scene::Light sun;
   sun.kind = scene::LightKind::Sun;
   sun.towards = scene::sunDirection(in.azimuth, in.elevation);
-  sun.emitted = lightColor(in) * static_cast<float>(in.irradiance);
+  sun.emitted = in.color.rgb() * static_cast<float>(in.irradiance);
   sun.angle = in.angle;
   Out out;
   for (const scene::Light& part : scene::splitDisc(sun, in.disc_samples))

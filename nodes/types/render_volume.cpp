@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "nodes/declare/describe.h"
-#include "nodes/types/shadow_common.h"
-#include "renderer/view/renderer.h"
+#include "nodes/types/passes.h"
 #include "renderer/view/volume_render.h"
 
 namespace pileus::nodes {
@@ -23,22 +22,20 @@ struct Out {
   ImageValue image;
 };
 
-struct State {
-  std::unique_ptr<view::VolumeRenderPass> pass;
-  struct Extra {
-    std::string name;
-    std::unique_ptr<view::VolumeRenderPass> pass;
-  };
-  std::vector<Extra> extras;  ///< layers beside the picture, made after it
-  std::size_t next = 0;
+/// The picture, and behind it each layer beside it.
+struct Pass : view::VolumeRenderPass {
+  Pass(std::string layer, view::RenderScene scene)
+      : VolumeRenderPass(std::move(scene)), name(std::move(layer)) {}
+  std::string name;  ///< of a layer
 };
+using Passes = std::vector<std::unique_ptr<Pass>>;
 
 /// The passes of the layers that are asked for.
-void addLayers(State& state, const view::RenderScene& scene, const view::ExtraLayers& wanted) {
+void addLayers(Passes& passes, const view::RenderScene& scene, const view::ExtraLayers& wanted) {
   const auto add = [&](const std::string& name, view::PictureLayer layer) {
     view::RenderScene one = scene;
     one.options.layer = layer;
-    state.extras.push_back({name, std::make_unique<view::VolumeRenderPass>(std::move(one))});
+    passes.push_back(std::make_unique<Pass>(name, std::move(one)));
   };
   using Kind = view::PictureLayer::Kind;
   if (wanted.depth) add("depth", {Kind::Depth, 0});
@@ -93,72 +90,54 @@ ivec2 draftSize(const view::RenderOptions& o, const EvalContext& ctx, bool softw
   return glm::max(ivec2(glm::round(dvec2(o.size) / by)), ivec2(1));
 }
 
-/// The fraction of all passes that is done, the picture's own included.
-Result<double> stepLayers(State& state, const shadow::Gpu& gpu, EvalContext& ctx) {
-  double done = 0;
-  while (state.next < state.extras.size()) {
-    view::VolumeRenderPass& pass = *state.extras[state.next].pass;
-    PILEUS_TRY(done, pass.step(gpu, ctx.msLeft()));
-    ctx.reportGpu(pass.takeGpuMs(), pass.picture() ? pass.picture()->color.bytes() : 0);
-    if (done < 1) break;
-    done = 0;
-    if (++state.next < state.extras.size() && ctx.msLeft() <= 0) break;
+Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& passes) {
+  view::RenderOptions options;
+  options.size = ctx.size();
+  options.samples = in.samples;
+  options.stepScale = in.step_scale;
+  options.layer = ctx.layer();
+  options.region = ctx.region();
+  const double aspect = double(options.size.x) / options.size.y;
+  if (in.camera.camera)
+    options.camera = *in.camera.camera;
+  else if (ctx.freeCamera())
+    options.camera = *ctx.freeCamera();
+  else
+    options.camera = scene::frameBounds(framed(in), aspect);
+  if (ctx.quality() == Quality::Draft) {
+    options.samples = 1;
+    options.size = draftSize(options, ctx, software);
+    if (software) options.stepScale *= 1.5;
   }
-  return (1 + double(state.next) + done) / double(1 + state.extras.size());
-}
-
-std::shared_ptr<const view::Picture> withLayers(view::VolumeRenderPass& pass, const State& state) {
-  for (const State::Extra& extra : state.extras) pass.addLayer({extra.name, extra.pass->picture()});
-  return pass.picture();
+  const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
+  passes.push_back(std::make_unique<Pass>("", scene));
+  passes.back()->beginWith(ctx.seed());
+  if (ctx.quality() == Quality::Final) addLayers(passes, scene, ctx.extra());
+  return {};
 }
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
-  PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
-  auto& state = ctx.state<State>();
-  if (!state.pass) {
-    view::RenderOptions options;
-    options.size = ctx.size();
-    options.samples = in.samples;
-    options.stepScale = in.step_scale;
-    options.layer = ctx.layer();
-    options.region = ctx.region();
-    const double aspect = double(options.size.x) / options.size.y;
-    if (in.camera.camera)
-      options.camera = *in.camera.camera;
-    else if (ctx.freeCamera())
-      options.camera = *ctx.freeCamera();
-    else
-      options.camera = scene::frameBounds(framed(in), aspect);
-    if (ctx.quality() == Quality::Draft) {
-      options.samples = 1;
-      options.size = draftSize(options, ctx, renderer->device().software);
-      if (renderer->device().software) options.stepScale *= 1.5;
-    }
-    const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
-    state.pass = std::make_unique<view::VolumeRenderPass>(scene);
-    state.pass->beginWith(ctx.seed());
-    if (ctx.quality() == Quality::Final) addLayers(state, scene, ctx.extra());
-  }
-  PILEUS_TRY(double fraction, state.pass->step(renderer->gpu(), ctx.msLeft()));
-  auto picture = state.pass->picture();
-  ctx.reportGpu(state.pass->takeGpuMs(), picture ? picture->color.bytes() : 0);
-  if (fraction >= 1 && !state.extras.empty()) {
-    PILEUS_TRY(fraction, stepLayers(state, renderer->gpu(), ctx));
-    if (fraction >= 1) picture = withLayers(*state.pass, state);
-  } else if (!state.extras.empty()) {
-    fraction /= double(state.extras.size() + 1);
-  }
-  if (const auto& r = state.pass->residency(); r.coarsened > 0)
+  PILEUS_TRY(const auto* queue, runPasses<Pass>(ctx, [&](view::Renderer& renderer, Passes& passes) {
+               return begin(in, ctx, renderer.device().software, passes);
+             }));
+  Pass& first = *queue->passes.front();
+  const auto picture = first.picture();
+  std::size_t bytes = 0;  // of the largest
+  for (const auto& pass : queue->passes)
+    if (const auto made = pass->picture()) bytes = std::max(bytes, made->color.bytes());
+  ctx.reportGpu(0, bytes);
+  if (const auto& r = first.residency(); r.coarsened > 0)
     ctx.warn(
         fmt::format("{} of the grids are drawn coarser than they are: their bricks need {} MiB, {} MiB are "
                     "set aside (--gpu-memory)",
                     r.coarsened, r.wantedBytes >> 20, r.budgetBytes >> 20));
-  if (fraction < 1) {
-    if (picture)
-      ctx.partial(fraction);
-    else
-      ctx.pending(fraction, "Uploading bricks");
-  }
+  if (queue->fraction >= 1)
+    for (std::size_t i = 1; i < queue->passes.size(); ++i)
+      first.addLayer({queue->passes[i]->name, queue->passes[i]->picture()});
+  else if (picture)
+    ctx.partial(queue->fraction);
+  else
+    ctx.pending(queue->fraction, "Uploading bricks");
   return Out{{picture}};
 }
 

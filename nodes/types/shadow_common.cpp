@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "renderer/view/renderer.h"
+#include "nodes/types/passes.h"
+#include "renderer/shadow/shadow_pass.h"
 
 namespace pileus::nodes {
 
@@ -11,11 +12,6 @@ Result<std::vector<scene::Light>> lightsOf(const LightValue& value) {
   std::vector<scene::Light> out;
   for (const LightWithShadow& l : value.items) out.push_back(l.light);
   return out;
-}
-
-Result<view::Renderer*> gpuOf(EvalContext& ctx) {
-  if (ctx.renderer()) return ctx.renderer();
-  return fail(Code::Gpu, "needs a GPU context");
 }
 
 int draftResolution(int resolution, const EvalContext& ctx) {
@@ -48,31 +44,28 @@ void noteDeep(const std::vector<std::unique_ptr<shadow::ShadowPass>>& passes, Ev
 
 }  // namespace
 
-Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights,
-                                const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx,
-                                const char* what) {
-  PILEUS_TRY(const std::vector<scene::Light> bare, lightsOf(lights));
-  PILEUS_TRY(view::Renderer * renderer, gpuOf(ctx));
-  auto& queue = ctx.state<PassQueue<shadow::ShadowPass>>();
-  if (queue.passes.empty())
+Result<ShadowOut> shadowed(const ShadowIn& in, EvalContext& ctx, const char* what) {
+  using Pass = shadow::ShadowPass;
+  PILEUS_TRY(const std::vector<scene::Light> bare, lightsOf(in.light));
+  const auto begin = [&](view::Renderer&, std::vector<std::unique_ptr<Pass>>& passes) -> Result<void> {
+    const auto spec = shadow::withResolution(in.spec, draftResolution(shadow::resolutionOf(in.spec), ctx));
     for (const scene::Light& light : bare)
-      queue.passes.push_back(std::make_unique<shadow::ShadowPass>(
-          shadow::withResolution(spec, draftResolution(shadow::resolutionOf(spec), ctx)), light,
-          volumes.items, solids.items));
-  double gpuMs = 0;
-  PILEUS_TRY(const double fraction, queue.run(renderer->gpu(), ctx, gpuMs));
-  LightValue out;
+      passes.push_back(std::make_unique<Pass>(spec, light, in.volumes.items, in.solids.items));
+    return {};
+  };
+  PILEUS_TRY(const auto* queue, runPasses<Pass>(ctx, begin));
+  ShadowOut out;
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < bare.size(); ++i) {
-    const auto map = queue.passes[i]->map();
+    const auto map = queue->passes[i]->map();
     bytes += map ? map->bytes() : 0;
-    out.items.push_back({bare[i], map});
+    out.light.items.push_back({bare[i], map});
   }
-  ctx.reportGpu(gpuMs, bytes);
-  if (fraction < 1)
-    ctx.pending(fraction, what);
+  ctx.reportGpu(0, bytes);
+  if (queue->fraction < 1)
+    ctx.pending(queue->fraction, what);
   else
-    noteDeep(queue.passes, ctx);
+    noteDeep(queue->passes, ctx);
   return out;
 }
 

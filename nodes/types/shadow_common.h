@@ -1,45 +1,56 @@
 #pragma once
 // What the shadow nodes share. Each makes one map for each light that arrives, one after the other.
-#include <memory>
 #include <vector>
 
-#include "nodes/declare/eval_context.h"
-#include "nodes/declare/value.h"
-#include "renderer/base/result.h"
-#include "renderer/shadow/shadow_pass.h"
+#include "nodes/declare/describe.h"
+#include "nodes/shadows/shadow_inputs.h"
 
 namespace pileus::nodes {
 
+/// What all but shadow.pseudometric give.
+struct ShadowOut {
+  LightValue light;
+};
+
+template <class In, class Out>
+void describeCasters(Describe<In, Out>& d,
+                     std::string lights = "The lights to shadow; each gets a map of its own.",
+                     std::string solids = "Opaque solids that block the light, exactly.") {
+  d.in("volumes", &In::volumes).many().help("The media that cast shadows.");
+  d.in("light", &In::light).required().help(std::move(lights));
+  d.in("solids", &In::solids).many().help(std::move(solids));
+}
+
+/// `path` leads from In to the member.
+template <class In, class Out, class... Path>
+void describeResolution(Describe<In, Out>& d, Path... path) {
+  d.in("resolution", path...)
+      .unit("texels")
+      .range(64, 4096)
+      .logarithmic()
+      .help("Texels along each edge of the map.");
+}
+
+template <class In, class Out, class... Path>
+void describeDamping(Describe<In, Out>& d, Path... path) {
+  d.in("damping", path...)
+      .help(
+          "Lanczos factors on the coefficients: fewer rings where transmittance should be level, but a "
+          "larger error.");
+}
+
+template <class In>
+void describeShadowed(Describe<In, ShadowOut>& d) {
+  d.out("light", &ShadowOut::light).help("The lights with this shadow.");
+}
+
 /// The lights of a value; their old shadows, if any, are left behind. Error (Input) for none.
 Result<std::vector<scene::Light>> lightsOf(const LightValue& value);
-/// Error (Gpu) in an evaluation without one.
-Result<view::Renderer*> gpuOf(EvalContext& ctx);
 /// What a draft makes of a map's resolution: at most 256 texels, 128 on a CPU.
 int draftResolution(int resolution, const EvalContext& ctx);
 
-/// The passes of a node, run in turn within the context's budget.
-template <class Pass>
-struct PassQueue {
-  std::vector<std::unique_ptr<Pass>> passes;
-  std::size_t next = 0;
-
-  /// The fraction done, 1 = all; GPU milliseconds are added to `gpuMs`.
-  Result<double> run(const shadow::Gpu& gpu, const EvalContext& ctx, double& gpuMs) {
-    while (next < passes.size()) {
-      PILEUS_TRY(const double fraction, passes[next]->step(gpu, ctx.msLeft()));
-      gpuMs += passes[next]->takeGpuMs();
-      if (fraction < 1) return (double(next) + fraction) / double(passes.size());
-      ++next;
-      if (next < passes.size() && ctx.msLeft() <= 0) return double(next) / double(passes.size());
-    }
-    return 1.0;
-  }
-};
-
-/// Builds `spec` for every light and returns the lights with their shadows; pending with `what` until all are
-/// there.
-Result<LightValue> shadowLights(const shadow::ShadowSpec& spec, const LightValue& lights,
-                                const VolumeValue& volumes, const SolidValue& solids, EvalContext& ctx,
-                                const char* what);
+/// Builds `in.spec` for every light and returns the lights with their shadows; pending with `what` until all
+/// are there.
+Result<ShadowOut> shadowed(const ShadowIn& in, EvalContext& ctx, const char* what);
 
 }  // namespace pileus::nodes

@@ -1,5 +1,5 @@
 // volume.sphere: an exactly uniform ball, never voxelised.
-#include "nodes/declare/describe.h"
+#include "nodes/types/volume_common.h"
 
 namespace pileus::nodes {
 namespace {
@@ -10,11 +10,7 @@ struct In {
   double density = 1;
 };
 
-struct Out {
-  VolumeValue volume;
-};
-
-void describe(Describe<In, Out>& d) {
+void describe(Describe<In, VolumeOut>& d) {
   d.name("Sphere").category("Volume").keywords("ball uniform fog analytic ellipsoid");
   d.help("A ball of uniform density. Analytic: rays meet its exact surface, no voxels are made.");
   d.in("center", &In::center).unit("m").range(-1e6, 1e6).soft(-10, 10).help("Where its middle is.");
@@ -23,25 +19,15 @@ void describe(Describe<In, Out>& d) {
       .range(1e-6, 1e6)
       .soft(0.01, 10)
       .help("From the middle to the surface.");
-  d.in("density", &In::density)
-      .range(0, 1e6)
-      .soft(0, 10)
-      .help("Density inside; the medium's extinction multiplies it.");
-  d.out("volume", &Out::volume).help("One volume with the default medium.");
+  describeUniform(d);
 }
 
-Result<Out> evaluate(const In& in, EvalContext&) {
-  Out out;
-  volume::Instance instance;
-  instance.shape = volume::Shape::Ball;
-  instance.density = in.density;
-  instance.worldFromLocal = composeTransform(in.center, dvec3(0.0), dvec3(in.radius));
-  out.volume.items.push_back(instance);
-  return out;
+Result<VolumeOut> evaluate(const In& in, EvalContext&) {
+  return uniform(volume::Shape::Ball, in.density, in.center, dvec3(in.radius));
 }
 
 }  // namespace
 
-NodeType node_volume_sphere() { return makeNode<In, Out>("volume.sphere", 1, describe, evaluate); }
+NodeType node_volume_sphere() { return makeNode<In, VolumeOut>("volume.sphere", 1, describe, evaluate); }
 
 }  // namespace pileus::nodes

@@ -1,7 +1,10 @@
 #include "renderer/volume/autofit.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace pileus::volume {
@@ -64,5 +67,7 @@ Autofit autofit(const BrickGrid& grid, double target) {
   if (!(depth > 0)) return {};
   return {target / depth, target};
 }
+
+double threeDigits(double v) { return v > 0 ? std::stod(fmt::format("{:.3g}", v)) : 0; }
 
 }  // namespace pileus::volume

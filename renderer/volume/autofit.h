@@ -17,4 +17,7 @@ Autofit autofit(const BrickGrid& grid, double target = 6.0);
 /// The mip level with some 64 to 128 voxels along the longest axis, which tell enough.
 int levelToMeasure(const BrickGrid& grid);
 
+/// Three digits say what is known of a guess, and nodes can be read. 0 for what is not above 0.
+double threeDigits(double v);
+
 }  // namespace pileus::volume

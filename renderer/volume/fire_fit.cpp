@@ -19,9 +19,6 @@ constexpr int kRays = 48;                           // across each side of the b
 
 double luminance(const vec4& rgb) { return scene::acescgLuminance(dvec3(rgb)); }
 
-/// A value of three digits, so that nodes can be read.
-double tidy(double v) { return v > 0 ? std::stod(fmt::format("{:.3g}", v)) : 0; }
-
 /// The value below which all but the hottest thousandth of the voxels lie: a few specks of a simulation must
 /// not leave the rest dark.
 double robustMaximum(const Instance& instance, const JobControl& control) {
@@ -112,12 +109,12 @@ FireFit fitFire(const GridPtr& grid, const JobControl& control, const Instance* 
   fit.kelvins = most > kLeastKelvins;
   BlackBody& body = fit.range.body;
   if (fit.kelvins) {
-    body.hottest = std::clamp(tidy(robustMaximum(instance, control)), 600.0, 20000.0);
+    body.hottest = std::clamp(threeDigits(robustMaximum(instance, control)), 600.0, 20000.0);
     body.coolest = 500;
     fit.range.lowest = body.coolest, fit.range.highest = body.hottest;
   } else {
     body.coolest = kCoolest, body.hottest = kHottest;
-    fit.range.highest = tidy(robustMaximum(instance, control));
+    fit.range.highest = threeDigits(robustMaximum(instance, control));
   }
   if (!(fit.range.highest > fit.range.lowest)) return fit;
   body.strength = 1;
@@ -127,7 +124,7 @@ FireFit fitFire(const GridPtr& grid, const JobControl& control, const Instance* 
   if (!(seen > 0) || !std::isfinite(seen)) return fit;
   // Smoke may hide it nearly whole: it is not made so strong that its edges blaze through.
   const double bare = smoke ? brighterParts(*grid, *unit, nullptr) : seen;
-  body.strength = std::clamp(tidy(std::min(target / seen, 10 * target / bare)), 1e-6, 1e6);
+  body.strength = std::clamp(threeDigits(std::min(target / seen, 10 * target / bare)), 1e-6, 1e6);
   fit.brightness = seen * body.strength;
   return fit;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "editor/viewport/handles/gizmo.h"
+#include "renderer/scene/light.h"
 
 namespace pileus::editor {
 namespace {

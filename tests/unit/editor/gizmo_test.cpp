@@ -7,6 +7,7 @@
 #include "editor/preferences/navigation_preset.h"
 #include "editor/viewport/handles/gizmo.h"
 #include "nodes/graph/graph_animation.h"
+#include "renderer/scene/light.h"
 
 namespace pileus::editor {
 namespace {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/declare/eval_context.h"
+#include "nodes/declare/value.h"
 #include "nodes/graph/graph.h"
 #include "renderer/scene/black_body.h"
 #include "tests/support/noise_grid.h"

@@ -1,9 +1,11 @@
 // Content-key evaluation with real CPU types: what runs again, and what each failure says.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <limits>
 
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/file/serialize.h"
 #include "tests/support/support.h"

@@ -1,6 +1,7 @@
 // Groups: making, entering, saving and evaluating them; values linked to parameters.
 #include <gtest/gtest.h>
 
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/flatten.h"
 #include "nodes/file/serialize.h"

@@ -1,6 +1,7 @@
 // The light and solid nodes: what their parameters mean.
 #include <gtest/gtest.h>
 
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/file/serialize.h"
 

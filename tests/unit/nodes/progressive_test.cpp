@@ -6,6 +6,8 @@
 
 #include "nodes/declare/describe.h"
 #include "nodes/evaluate/evaluator.h"
+#include "renderer/base/log.h"
+#include "tests/support/support.h"
 
 namespace pileus::nodes {
 namespace {
@@ -74,6 +76,16 @@ Result<Out> runScript(const In& in, EvalContext& ctx) {
 
 Result<Out> pass(const In& in, EvalContext&) { return Out{in.volume}; }
 
+/// What "t.reads" and the like ask of the context; with `Bits` they declare what they ask for.
+Result<Out> readAll(const In& in, EvalContext& ctx) {
+  double all = ctx.frame() + ctx.fps() + ctx.size().x + ctx.draftPixels() + ctx.draftTexels();
+  all += ctx.quality() == Quality::Draft ? 1 : 0;
+  all += ctx.freeCamera() ? ctx.freeCamera()->fov : 0;
+  all += ctx.layer().light + (ctx.extra().depth ? 1 : 0) + ctx.region().max.x + (ctx.seed() ? 1 : 0);
+  return Out{marked(in.value + all)};
+}
+Result<Out> readFrame(const In& in, EvalContext& ctx) { return Out{marked(in.value + ctx.frame())}; }
+
 void describeIt(Describe<In, Out>& d) {
   d.in("volume", &In::volume).many();
   d.in("camera", &In::camera);
@@ -102,6 +114,11 @@ const NodeType* lookup(std::string_view id) {
       makeNode<In, Out>("t.size", 1, describeUses<UsesSize>, pass),
       makeNode<In, Out>("t.quality", 1, describeUses<UsesQuality>, pass),
       makeNode<In, Out>("t.free", 1, describeUses<UsesFreeCamera>, pass),
+      makeNode<In, Out>(
+          "t.reads", 1,
+          describeUses<UsesFrame | UsesRate | UsesSize | UsesQuality | UsesFreeCamera | UsesLayers>, readAll),
+      makeNode<In, Out>("t.reads_none", 1, describeIt, readAll),
+      makeNode<In, Out>("t.reads_frame", 1, describeUses<UsesSize>, readFrame),
       makeNode<NoIn, CameraOut>(
           "t.camera", 1, [](Describe<NoIn, CameraOut>& d) { d.out("camera", &CameraOut::camera); },
           makeCamera)};
@@ -308,6 +325,24 @@ TEST_F(Progressive, KeysHoldOnlyWhatATypeUses) {
   add("camera", "t.camera");
   graph.links.push_back({"camera", "camera", "free", "camera"});
   EXPECT_EQ(changedBy([&] { settings.freeCamera->fov = 30; }), "") << "a linked camera replaces the free one";
+}
+
+TEST_F(Progressive, WhatATypeDoesNotDeclareItMayNotRead) {
+  add("all", "t.reads"), add("none", "t.reads_none"), add("frame", "t.reads_frame");
+  const auto logged = [&](const std::string& node) {
+    const auto before = log::count(log::Level::Error);
+    evaluator.evaluate(graph, {node}, settings);
+    return log::count(log::Level::Error) > before ? log::history().back().text : "";
+  };
+  EXPECT_EQ(logged("all"), "");
+  const test::ExpectLogged expected;
+  EXPECT_EQ(logged("none"),
+            "none: internal error: t.reads_none reads parts of the context that it does not declare: frame, "
+            "size, quality, freeCamera, layers, rate");
+  EXPECT_EQ(
+      logged("frame"),
+      "frame: internal error: t.reads_frame reads parts of the context that it does not declare: frame");
+  EXPECT_EQ(state("frame"), NodeState::Ready) << "the result is kept all the same";
 }
 
 TEST_F(Progressive, TheOrderOfLinksIsContent) {

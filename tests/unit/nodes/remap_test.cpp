@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/declare/eval_context.h"
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/file/serialize.h"
 #include "nodes/graph/graph.h"

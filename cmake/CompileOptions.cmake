@@ -2,10 +2,18 @@
 add_library(pileus_options INTERFACE)
 target_include_directories(pileus_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(pileus_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion)
-# g++ 12 reports std::variant and std::string moves and copies that are fine (GCC bugs 105562, 105329, 105651); the last two
-# only where the library's headers come precompiled.
+# g++ 12 reports std::variant and std::string moves and copies that are fine (GCC bugs 105562, 105329, 105651); the last
+# three only where the library's headers come precompiled.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  target_compile_options(pileus_options INTERFACE -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
+  target_compile_options(pileus_options INTERFACE -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
+                         -Wno-stringop-overread)
+endif()
+# ccache where it is there: what was compiled before, in this folder or another, is not compiled again.
+find_program(PILEUS_CCACHE ccache)
+if(PILEUS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}
+                                  CCACHE_NOHASHDIR=1 ${PILEUS_CCACHE})
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()
 target_compile_definitions(pileus_options INTERFACE GLM_ENABLE_EXPERIMENTAL GLM_FORCE_SILENT_WARNINGS)
 if(PILEUS_WERROR)
@@ -16,21 +24,30 @@ if(PILEUS_SANITIZE)
   target_link_options(pileus_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# One compiled header for all libraries: what most files include of others' code. A file still names what it uses: a build
-# with PILEUS_PCH=OFF must pass.
+# Headers of others that most files include, compiled once for a kind of targets: NAME is that kind, HEADER what it holds. A file
+# still names what it uses: a build with PILEUS_PCH=OFF must pass.
 option(PILEUS_PCH "Compile the headers of others that most files include once" ON)
-function(pileus_precompile target)
+function(pileus_precompile target name header)
   if(NOT PILEUS_PCH)
     return()
   endif()
-  if(NOT TARGET pileus_pch)
-    file(WRITE ${CMAKE_BINARY_DIR}/pch.cpp "// Carries the compiled header.\n")
-    add_library(pileus_pch OBJECT ${CMAKE_BINARY_DIR}/pch.cpp)
-    target_link_libraries(pileus_pch PRIVATE pileus_options fmt::fmt glm::glm Threads::Threads)
-    target_precompile_headers(pileus_pch PRIVATE ${CMAKE_SOURCE_DIR}/cmake/precompiled.h)
+  set(pch pileus_pch_${name})
+  if(NOT TARGET ${pch})
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${pch}.cpp CONTENT "// Carries a compiled header.\n")
+    add_library(${pch} OBJECT ${CMAKE_BINARY_DIR}/${pch}.cpp)
+    target_link_libraries(${pch} PRIVATE pileus_options fmt::fmt glm::glm Threads::Threads ${ARGN})
+    target_compile_options(${pch} PRIVATE ${PILEUS_LEVEL_${name}})
+    target_precompile_headers(${pch} PRIVATE ${CMAKE_SOURCE_DIR}/cmake/${header})
   endif()
-  target_precompile_headers(${target} REUSE_FROM pileus_pch)
+  target_compile_options(${target} PRIVATE ${PILEUS_LEVEL_${name}})
+  target_precompile_headers(${target} REUSE_FROM ${pch})
 endfunction()
+# What computes is optimised as far as it goes, the rest as far as it pays, tests for being built.
+if(CMAKE_BUILD_TYPE STREQUAL Release)
+  set(PILEUS_LEVEL_fast -O3)
+  set(PILEUS_LEVEL_plain -O2)
+  set(PILEUS_LEVEL_test -O1)
+endif()
 
 # pileus_library(base LIBS fmt::fmt ...): a static library pileus_<name> from this folder's .cpp files.
 function(pileus_library name)
@@ -44,7 +61,11 @@ function(pileus_library name)
   if(ARG_SOURCES)
     add_library(pileus_${name} STATIC ${ARG_SOURCES})
     target_link_libraries(pileus_${name} PUBLIC pileus_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-    pileus_precompile(pileus_${name})
+    if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/renderer$")
+      pileus_precompile(pileus_${name} fast precompiled.h)
+    else()
+      pileus_precompile(pileus_${name} plain precompiled.h)
+    endif()
   else()
     add_library(pileus_${name} INTERFACE)
     target_link_libraries(pileus_${name} INTERFACE pileus_options ${ARG_PUBLIC})

@@ -2,12 +2,15 @@
 
 #include <imgui_internal.h>
 
+#include <fmt/format.h>
+
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "editor/app/editor.h"
+#include "editor/toolkit/window.h"
 #include "nodes/file/serialize.h"
-#include "renderer/base/file.h"
 
 namespace pileus::editor {
 
@@ -23,12 +26,16 @@ void UiTrace::item(std::string name) {
 void UiTrace::end(const Editor& editor) {
   if (path_.empty()) return;
   using nlohmann::json;
+  const auto dump = [](const json& j) { return j.dump(-1, ' ', false, json::error_handler_t::replace); };
+  const nodes::Document& document = editor.document;
+  if (!graph_ || *graph_ != document.root()) {
+    // The document in its own file format: what a save would write.
+    document_ = dump(json::parse(nodes::graphText(document.root()), nullptr, false));
+    graph_ = std::make_shared<nodes::Graph>(document.root());
+  }
   json j;
   j["rects"] = rects_;
   j["notes"] = notes_;
-  const nodes::Document& document = editor.document;
-  // The document in its own file format: what a save would write.
-  j["document"] = json::parse(nodes::graphText(document.root()), nullptr, false);
   j["scope"] = document.scope();
   j["selection"] = document.selection();
   j["dirty"] = document.dirty();
@@ -41,12 +48,18 @@ void UiTrace::end(const Editor& editor) {
   j["frame"] = editor.frame;
   j["pictureFrame"] = editor.preview.frame();
   j["playing"] = editor.timeline.clock.direction();
+  j["typing"] = ImGui::GetIO().WantTextInput;
   j["message"] = editor.messages.text();
-  std::string text = j.dump(1, ' ', false, json::error_handler_t::replace);
+  std::string text =
+      fmt::format("\"marks\":{},\"document\":{},{}", editor.window->marks(), document_, dump(j).substr(1));
   if (text == last_) return;
   last_ = std::move(text);
-  j["uiMs"] = editor.uiMs;  // differs every time: no reason to write
-  if (!writeFileAtomic(path_, j.dump(1, ' ', false, json::error_handler_t::replace))) last_.clear();
+  // Whole or not at all, but not safe from a power cut: nobody reads it after one.
+  const std::filesystem::path fresh = path_.string() + ".new";
+  std::ofstream(fresh) << fmt::format("{{\"time\":{:.4f},", ImGui::GetTime()) << last_;
+  std::error_code ec;
+  std::filesystem::rename(fresh, path_, ec);
+  if (ec) last_.clear();
 }
 
 }  // namespace pileus::editor

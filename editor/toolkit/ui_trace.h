@@ -6,8 +6,13 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
+
+namespace pileus::nodes {
+struct Graph;
+}
 
 namespace pileus::editor {
 
@@ -38,7 +43,8 @@ class UiTrace {
   void note(std::string name, std::string text) {
     if (on()) notes_[std::move(name)] = std::move(text);
   }
-  /// Writes the file if anything differs from the last one.
+  /// Writes the file if anything differs from the last one. "marks" comes first: how much of a test's input
+  /// it knows of (see Window::marks()).
   void end(const Editor& editor);
 
   double ms = 0;  ///< spent this frame on what only a trace needs
@@ -48,7 +54,8 @@ class UiTrace {
   bool collecting_ = false;
   std::map<std::string, std::vector<float>> rects_;
   std::map<std::string, std::string> notes_;
-  std::string last_;
+  std::string last_, document_;                ///< as written; the part of it that is the document
+  std::shared_ptr<const nodes::Graph> graph_;  ///< of that part
 };
 
 }  // namespace pileus::editor

@@ -43,6 +43,7 @@ ExpectLogged::ExpectLogged() {
   ++expected;
   atStart = troubles();
 }
+bool ExpectLogged::lives() { return expected > 0; }
 ExpectLogged::~ExpectLogged() {
   --expected;
   LogGuard::allowed_ += troubles() - atStart;

@@ -153,7 +153,8 @@ TEST(RandomInput, TwoThousandEvents) {
     if (ui.shows("dialog/cancel")) ui.click("dialog/cancel");
   }
   ui.key("ctrl+n");
-  ui.settle();
+  EXPECT_TRUE(ui.waitFor(
+      [](const json& t) { return t["rects"].contains("dialog/discard") || t["document"]["nodes"].empty(); }));
   if (ui.shows("dialog/discard")) ui.click("dialog/discard");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].empty(); }))
       << ui.trace()["document"];
@@ -211,9 +212,8 @@ TEST(RandomInput, LosesNoMemory) {
     if (ui.shows("dialog/cancel")) ui.click("dialog/cancel");
   }
   ui.key("ctrl+q");
-  ui.settle();
-  if (ui.shows("dialog/discard")) ui.click("dialog/discard");
-  const int code = ui.waitExit(60);
+  if (ui.waitRect("dialog/discard")) ui.click("dialog/discard");  // or it has ended
+  const int code = ui.waitExit(150);                              // the look for leaks takes its time
   if (ui.log().find("LeakSanitizer has encountered a fatal error") != std::string::npos)
     GTEST_SKIP() << "LeakSanitizer may not trace here";
   EXPECT_EQ(code, 0) << ui.log();

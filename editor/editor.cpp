@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "editor/app/trace_report.h"
 #include "editor/commands/actions.h"
 #include "editor/commands/command_palette.h"
 #include "editor/commands/menu.h"
@@ -47,6 +48,7 @@ struct Editor::Parts {
   Settings settings;
   Theme theme;
   UiTrace trace;
+  TraceReport report;
   Messages messages;
   Requests requests;
   Fields fields;
@@ -92,6 +94,7 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
       ui(parts_->ui),
       theme(parts_->theme),
       trace(parts_->trace),
+      report(parts_->report),
       messages(parts_->messages),
       requests(parts_->requests),
       fields(parts_->fields),

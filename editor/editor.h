@@ -14,6 +14,7 @@ class Exporter;
 class GraphPictures;
 class Messages;
 class Requests;
+class TraceReport;
 class UiTrace;
 class Window;
 struct Canvas;
@@ -62,6 +63,7 @@ struct Editor {
   Ui& ui;  ///< toolkit/ui.h
   Theme& theme;
   UiTrace& trace;
+  TraceReport& report;
   Messages& messages;
   Requests& requests;
   Fields& fields;

@@ -215,7 +215,7 @@ void runFrame(Editor& editor, int& settling) {
   // Nothing that was drawn with is replaced before it is on the screen.
   handleWindow(editor);
   if (carryOutRequests(editor)) settling = std::max(settling, 1);
-  writeTrace(editor);
+  editor.report.write(editor);
   editor.now.frameMs = clock.ms();
 }
 

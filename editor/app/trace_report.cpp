@@ -1,5 +1,7 @@
 #include "editor/app/trace_report.h"
 
+#include <imgui.h>
+
 #include <nlohmann/json.hpp>
 
 #include "editor/document/exporter.h"
@@ -10,17 +12,21 @@
 #include "editor/time/clock.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/ui_trace.h"
+#include "editor/toolkit/window.h"
 #include "nodes/file/serialize.h"
 
 namespace pileus::editor {
 
-void writeTrace(Editor& editor) {
+void TraceReport::write(Editor& editor) {
   if (!editor.trace.writes()) return;
   using nlohmann::json;
-  json j;
   const nodes::Document& document = editor.session.document;
-  // The document in its own file format: what a save would write.
-  j["document"] = json::parse(nodes::graphText(document.root()), nullptr, false);
+  if (document_.empty() || graph_ != document.root()) {
+    document_ = json::parse(nodes::graphText(document.root()), nullptr, false)
+                    .dump(-1, ' ', false, json::error_handler_t::replace);
+    graph_ = document.root();
+  }
+  json j;
   j["scope"] = document.scope();
   j["selection"] = document.selection();
   j["dirty"] = document.dirty();
@@ -33,9 +39,9 @@ void writeTrace(Editor& editor) {
   j["frame"] = editor.clock.frame;
   j["pictureFrame"] = editor.shown.preview.frame();
   j["playing"] = editor.clock.play.direction();
+  j["typing"] = ImGui::GetIO().WantTextInput;
   j["message"] = editor.messages.text();
-  j["uiMs"] = editor.now.uiMs;
-  editor.trace.end(std::move(j));
+  editor.trace.end(editor.window.marks(), document_, std::move(j));
 }
 
 }  // namespace pileus::editor

@@ -1,12 +1,12 @@
 #include "editor/toolkit/ui_trace.h"
 
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
-
-#include "renderer/base/file.h"
 
 namespace pileus::editor {
 
@@ -19,16 +19,19 @@ void UiTrace::item(std::string name) {
     rect(std::move(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
-void UiTrace::end(nlohmann::json state) {
-  using nlohmann::json;
+void UiTrace::end(unsigned long long marks, const std::string& document, nlohmann::json state) {
   state["rects"] = rects_;
   state["notes"] = notes_;
-  const json timing = std::exchange(state["uiMs"], nullptr);  // differs every time: no reason to write
-  std::string text = state.dump(1, ' ', false, json::error_handler_t::replace);
+  const std::string rest = state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).substr(1);
+  std::string text = fmt::format("\"marks\":{},\"document\":{},{}", marks, document, rest);
   if (text == last_) return;
   last_ = std::move(text);
-  state["uiMs"] = timing;
-  if (!writeFileAtomic(path_, state.dump(1, ' ', false, json::error_handler_t::replace))) last_.clear();
+  // Whole or not at all, but not safe from a power cut: nobody reads it after one.
+  const std::filesystem::path fresh = path_.string() + ".new";
+  std::ofstream(fresh) << fmt::format("{{\"time\":{:.4f},", ImGui::GetTime()) << last_;
+  std::error_code ec;
+  std::filesystem::rename(fresh, path_, ec);
+  if (ec) last_.clear();
 }
 
 }  // namespace pileus::editor

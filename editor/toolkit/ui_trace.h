@@ -38,8 +38,10 @@ class UiTrace {
     if (on()) notes_[std::move(name)] = std::move(text);
   }
   bool writes() const { return !path_.empty(); }
-  /// Writes the file if anything differs from the last one: rectangles, notes and `state`, an object.
-  void end(nlohmann::json state);
+  /// Writes the file if anything differs from the last one: rectangles, notes, `state`, which is an object,
+  /// and `document`, a value that is text already. "marks" comes first: how much of a test's input the frame
+  /// knows of (Window::marks()).
+  void end(unsigned long long marks, const std::string& document, nlohmann::json state);
 
   double ms = 0;  ///< spent this frame on what only a trace needs
 

@@ -24,7 +24,7 @@ struct KeyPress {
 };
 
 struct InputEvent {
-  enum class Kind { Move, Button, Wheel, Key, Char, Focus } kind = Kind::Move;
+  enum class Kind { Move, Button, Wheel, Key, Char, Focus, Mark } kind = Kind::Move;
   dvec2 at{0};   ///< Move: window units; Wheel: offsets
   int code = 0;  ///< button, key or code point
   bool down = false, repeat = false;
@@ -53,6 +53,9 @@ class Window {
   void push(const InputEvent& event) { queue_.push_back(event); }  ///< as if the user had done it
   bool inputPending() const { return !queue_.empty(); }            ///< more events wait for the next frame
   bool hadInput() const { return hadInput_; }                      ///< this frame got events
+  /// With $PILEUS_UI_TRACE, F13 to F24 reach nobody: each ends the events of a frame and is counted, so that
+  /// a test knows when what it sent before has been handled and drawn.
+  unsigned long long marks() const { return marks_; }
 
   void beginFrame();                   ///< feeds events, starts the ImGui frame
   void finishUi();                     ///< the frame's draw data are made
@@ -73,7 +76,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false, moved_ = false;
-  bool resized_ = true;
+  bool resized_ = true, marked_ = false, takesMarks_ = false, late_ = false;
   dvec2 pixelRatio_{
       1};  ///< pixels per unit of the pointer's coordinates: not 1 where the system scales windows
   dvec2 mouse_{-1e9};
@@ -84,6 +87,7 @@ class Window {
   std::vector<int> keysDownNow_;
   std::vector<std::filesystem::path> dropped_;
   std::string title_;
+  unsigned long long marks_ = 0;
 };
 
 }  // namespace pileus::editor

@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -98,7 +100,19 @@ RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds,
 RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds,
                  const std::vector<std::string>& environment) {
   arguments.insert(arguments.begin(), PILEUS_BINARY);
-  return run(arguments, timeoutSeconds, environment);
+  RunResult result = run(arguments, timeoutSeconds, environment);
+  if (result.exitCode == 0 && !ExpectLogged::lives()) checkLog(result.err);
+  return result;
+}
+
+void checkLog(const std::string& log, const std::vector<std::string>& expected) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("warning: ") && !line.starts_with("error: ")) continue;
+    if (std::none_of(expected.begin(), expected.end(),
+                     [&](const std::string& part) { return line.find(part) != std::string::npos; }))
+      ADD_FAILURE() << "unexpected in the log of the program: " << line;
+  }
 }
 
 }  // namespace pileus::test

@@ -22,7 +22,8 @@ struct RunResult {
 /// Runs a program with a time limit (killed after it); environment entries "NAME=value" are added.
 RunResult run(const std::vector<std::string>& arguments, double timeoutSeconds = 120,
               const std::vector<std::string>& environment = {});
-/// The same with the built pileus binary as program.
+/// The same with the built pileus binary as program. One that succeeds with a warning or an error on its
+/// standard error fails the test, unless an ExpectLogged lives.
 RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds = 120,
                  const std::vector<std::string>& environment = {});
 
@@ -31,7 +32,11 @@ RunResult pileus(std::vector<std::string> arguments, double timeoutSeconds = 120
 struct ExpectLogged {
   ExpectLogged();
   ~ExpectLogged();
+  static bool lives();
 };
+
+/// Fails the test for each line of a log that is a warning or an error and has none of `expected` in it.
+void checkLog(const std::string& log, const std::vector<std::string>& expected = {});
 
 }  // namespace pileus::test
 

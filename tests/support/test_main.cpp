@@ -43,6 +43,7 @@ ExpectLogged::ExpectLogged() {
   ++expected;
   atStart = troubles();
 }
+bool ExpectLogged::lives() { return expected > 0; }
 ExpectLogged::~ExpectLogged() {
   --expected;
   LogGuard::allowed_ += troubles() - atStart;
@@ -55,6 +56,9 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (!std::getenv("XDG_CACHE_HOME")) ::setenv("XDG_CACHE_HOME", pileus::test::scratchFolder().c_str(), 1);
   if (!std::getenv("XDG_CONFIG_HOME")) ::setenv("XDG_CONFIG_HOME", pileus::test::scratchFolder().c_str(), 1);
+  // Compiled shaders are kept for the next run, of this test or of another.
+  const std::filesystem::path cache = std::filesystem::path(PILEUS_BINARY).parent_path() / "shader_cache";
+  ::setenv("MESA_SHADER_CACHE_DIR", cache.c_str(), 0);
   testing::UnitTest::GetInstance()->listeners().Append(new LogGuard);
   return RUN_ALL_TESTS();
 }

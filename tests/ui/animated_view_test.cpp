@@ -79,7 +79,7 @@ TEST(AnimatedView, OverlaysFollowWhatMoves) {
   // The sun's mark is beside the volumes: in one place, from whichever side a frame is come to.
   const auto markAt = [&](int frame) {
     goTo(ui, frame);
-    pause(0.5);
+    ui.settle();
     return ui.center("light/Sun").x;
   };
   const double first = markAt(1), forward = markAt(6);

@@ -42,7 +42,7 @@ struct Canvas {
   UiSession ui;
   explicit Canvas(int notches = 1) : ui({1280, 800}, {graphFile().string()}) {
     if (!ui.running()) return;
-    ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
+    ui.finishPicture();
     ui.move(ui.emptySpot());
     for (int i = 0; i < notches; ++i) ui.input({"click", "5"});
     ui.settle();
@@ -107,7 +107,6 @@ TEST(Canvas, LinksAreDraggedDuplicatedMovedAndCut) {
   EXPECT_TRUE(c.until([](const json& t) { return !hasLink(t, "Sun.light -> Map.light"); }));
   c.undo(start);
   c.ui.drag(above, below, {"ctrl"}, 3, [&] { c.ui.key("Escape"); });
-  pause(0.3);
   EXPECT_EQ(c.document(), start);
 
   // Muted and back.
@@ -153,7 +152,6 @@ TEST(Canvas, NodesDropOntoLinksAndLeaveThem) {
   c.ui.dragTo(c.ui.center("header/Lamp"), c.ui.emptySpot());
   c.ui.key("Escape");
   c.ui.release();
-  pause(0.3);
   EXPECT_EQ(c.document(), before);
 
   // Delete and reconnect, extract, cut.

@@ -91,10 +91,7 @@ TEST(Compare, WipeHalvesAndErrorOfAWrongMap) {
   ui.click("header/Map");
   ASSERT_TRUE(ui.waitRect("param/coefficients"));
   const Point field = ui.center("param/coefficients");
-  ui.input({"keydown", "ctrl"});
-  ui.click(field);
-  ui.input({"keyup", "ctrl"});
-  pause(0.3);
+  ui.click(field, {"ctrl"});
   ui.type("15");
   ui.key("Return");
   const double before = number(done, "compare shadow mean");

@@ -60,7 +60,6 @@ class Curves : public testing::Test {
   /// Between two pictures a press is seen where the pointer is, not where it will be.
   void idle() const {
     EXPECT_TRUE(ui().waitFor([](const json& t) { return t["complete"] == true; }, 60));
-    pause(0.2);
   }
   void drag(Point from, Point to, const std::vector<std::string>& held = {}) const {
     idle();
@@ -68,10 +67,7 @@ class Curves : public testing::Test {
   }
   void doubleClick(Point p) const {
     idle();
-    ui().move(p);
-    pause(0.6);  // not joined to an earlier click
-    ui().input({"click", "--repeat", "2", "--delay", "60", "1"});
-    pause(0.3);
+    ui().doubleClick(p);
   }
 
   std::filesystem::path file_;
@@ -111,10 +107,7 @@ TEST_F(Curves, PointsAreAddedDraggedTypedAndRemoved) {
   // The selected point's numbers.
   idle();
   ui().click("point/curve/1");
-  ui().input({"keydown", "ctrl"});
-  ui().click("point/out");
-  ui().input({"keyup", "ctrl"});
-  pause(0.3);
+  ui().click(ui().center("point/out"), {"ctrl"});
   ui().type("0.6");
   ui().key("Return");
   EXPECT_TRUE(becomes("curve", [](const json& v) { return v[2] == json{0.5, 0.6}; })) << param("curve");
@@ -162,10 +155,7 @@ TEST_F(Curves, StopsOfARamp) {
   doubleClick(ui().center("stop/color/0"));
   ASSERT_TRUE(ui().waitRect("picker/g"));
   const auto typed = [&](const std::string& field, const std::string& text) {
-    ui().input({"keydown", "ctrl"});
-    ui().click(field);
-    ui().input({"keyup", "ctrl"});
-    pause(0.3);
+    ui().click(ui().center(field), {"ctrl"});
     ui().type(text);
     ui().key("Return");
   };

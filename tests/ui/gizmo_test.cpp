@@ -234,11 +234,11 @@ TEST(Navigation, ToolsOfTheViewport) {
 TEST(Gizmo, OnTheDefaultPreset) {
   UiSession ui({1440, 900}, {std::string(PILEUS_SOURCE_DIR) + "/presets/default.json"});
   ASSERT_TRUE(ui.running()) << ui.log();
-  ui.waitFor([](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Sun"); },
-             60);
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Sun"); }, 60));
   ui.click("light/Sun");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Sun"); }));
-  ui.waitFor(settled, 60);
+  if (wantsScreenshots()) ui.finishPicture();
   ui.screenshot("75-default-sun");
   ui.click("header/Clouds");
   ui.move(at(ui, 0.5, 0.8));

@@ -38,7 +38,7 @@ std::filesystem::path graphFile() {
 
 /// Wheel notches over the canvas, so that there is room around the nodes.
 void zoomOut(const UiSession& ui, int notches) {
-  ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
+  ui.finishPicture();
   ui.move(ui.emptySpot());
   for (int i = 0; i < notches; ++i) ui.input({"click", "5"});
   ui.settle();
@@ -214,10 +214,7 @@ TEST(Session, CopyPasteDuplicateBypassAndTyping) {
   ASSERT_TRUE(ui.waitRect("param/density"));
   const auto typeDensity = [&](const std::string& text) {
     const Point field = ui.center("param/density");
-    ui.input({"keydown", "ctrl"});
-    ui.click(field);
-    ui.input({"keyup", "ctrl"});
-    pause(0.3);
+    ui.click(field, {"ctrl"});
     ui.type(text);
     ui.key("Return");
   };
@@ -237,6 +234,7 @@ TEST(Session, ABadFileIsRefusedAndNothingIsLost) {
   const std::filesystem::path bad = scratchFolder() / "bad.json";
   std::ofstream(bad) << "{ \"pileus\": 1, ";
   UiSession ui({1280, 720}, {bad.string()});
+  ui.expectLogged("bad.json: line 1");
   ASSERT_TRUE(ui.running()) << ui.log();
   EXPECT_TRUE(ui.waitFor([](const json& t) {
     return t["notes"].value("dialog error", "").find("bad.json") != std::string::npos;
@@ -254,6 +252,7 @@ TEST(Session, FaultsAreListedAndSurviveASave) {
   std::ofstream(file)
       << R"({ "pileus": 1, "nodes": { "New": { "type": "from.tomorrow", "at": [0, 0], "params": { "x": 1 } } }, "links": [] })";
   UiSession ui({1280, 720}, {file.string()});
+  ui.expectLogged("unknown node type 'from.tomorrow'");
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitRect("dialog/close"));
   ui.screenshot("14-faults");

@@ -64,11 +64,10 @@ TEST(Start, GalleryRecentFilesAndTour) {
   ASSERT_TRUE(ui.waitRect("start")) << ui.log();
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("Clouds"); }))
       << "the default preset lies below";
-  pause(1);
   ui.screenshot("start-view");
   for (const char* preset : {"default.json", "cumulus.json", "smoke-column.json", "light-shafts.json",
                              "two-lights.json", "compare-representations.json"})
-    EXPECT_TRUE(hasRect(ui.trace(), std::string("start/preset/") + preset)) << preset;
+    EXPECT_TRUE(ui.waitRect(std::string("start/preset/") + preset)) << preset;
 
   // A click beside it closes it, Help opens it again, Esc closes it.
   ui.click(Point{8, 500});
@@ -87,7 +86,6 @@ TEST(Start, GalleryRecentFilesAndTour) {
   // A missing recent file does nothing; one that is there opens.
   reopen();
   ui.click("start/recent/1");
-  pause(0.3);
   EXPECT_TRUE(hasRect(ui.trace(), "start"));
   ui.click("start/recent/0");
   EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["path"] == kept.string() && !hasRect(t, "start"); }));
@@ -129,7 +127,6 @@ TEST(Start, GalleryRecentFilesAndTour) {
   reopen();
   ui.click("start/show");
   ui.key("Escape");
-  pause(0.3);
   ui.move(ui.emptySpot());
   ui.key("ctrl+q");
   EXPECT_EQ(ui.waitExit(), 0) << ui.log();
@@ -145,7 +142,7 @@ TEST(Start, AVolumeBecomesACloudInOneStep) {
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("smoke1"); }, 40))
       << ui.log();
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("picture"); }, 60)) << ui.log();
-  ui.waitFor([](const json& t) { return t["complete"] == true; }, 60);
+  ui.finishPicture();
   ui.screenshot("vdb-opened");
   const json t = ui.trace();
   EXPECT_EQ(t["error"], "");
@@ -160,7 +157,7 @@ TEST(Start, SavesSafelyAndAsksBeforeItReplacesAStrangersWork) {
   const fs::path file = graphFile();
   UiSession ui({1280, 800}, {file.string()});
   ASSERT_TRUE(ui.running()) << ui.log();
-  ui.waitFor([](const json& t) { return t["complete"] == true; }, 30);
+  ui.finishPicture();
   change(ui);
   ui.key("ctrl+s");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["dirty"] == false; }));
@@ -188,6 +185,7 @@ TEST(Start, SavesSafelyAndAsksBeforeItReplacesAStrangersWork) {
   // The folder goes: the message says so, and the work is still there.
   change(ui);
   fs::remove_all(file.parent_path());
+  ui.expectLogged("scene.json: cannot be written");
   ui.key("ctrl+s");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("dialog error"); }))
       << ui.trace()["message"];
@@ -203,7 +201,7 @@ TEST(Start, WorkSurvivesAKillAndATermination) {
     UiSession ui({1280, 800}, {file.string()});
     ASSERT_TRUE(ui.running()) << ui.log();
     home = ui.folder();
-    ui.waitFor([](const json& t) { return t["complete"] == true; }, 30);
+    ui.finishPicture();
     change(ui);
     elevation = ui.trace()["document"]["nodes"]["Sun"]["params"]["elevation"];
     EXPECT_EQ(recoveryFiles(ui), 0u) << "not while one works";
@@ -214,7 +212,6 @@ TEST(Start, WorkSurvivesAKillAndATermination) {
     UiSession ui({1440, 900}, {}, json::object(), home);
     ASSERT_TRUE(ui.running()) << ui.log();
     ASSERT_TRUE(ui.waitRect("start/lost/0/open")) << "offered even though the start view is off";
-    pause(0.5);
     ui.screenshot("recovery-offer");
     ui.click("start/lost/0/open");
     ASSERT_TRUE(ui.waitFor([&](const json& t) {
@@ -239,7 +236,6 @@ TEST(Start, WorkSurvivesAKillAndATermination) {
     ui.screenshot("recovery-discarded");
     EXPECT_EQ(recoveryFiles(ui), 0u);
     ui.key("Escape");
-    pause(0.3);
     ui.key("ctrl+q");
     EXPECT_EQ(ui.waitExit(), 0) << ui.log();
   }
@@ -249,6 +245,7 @@ TEST(Start, ADamagedFileKeepsTheDocument) {
   const fs::path bad = scratchFolder() / "bad.json";
   std::ofstream(bad) << "{ \"pileus\": 1, \"nodes\": ";
   UiSession ui({1280, 800}, {bad.string()});
+  ui.expectLogged("bad.json: line 1");
   ASSERT_TRUE(ui.running()) << ui.log();
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("dialog error"); }));
   ui.key("Return");

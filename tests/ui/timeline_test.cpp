@@ -27,7 +27,7 @@ struct Rect {
   double left, top, right, bottom;
 };
 Rect rectOf(const UiSession& ui, const std::string& name) {
-  ui.waitRect(name, 10);
+  EXPECT_TRUE(ui.waitRect(name));
   const json r = ui.trace()["rects"][name];
   return {r[0].get<double>(), r[1].get<double>(), r[2].get<double>(), r[3].get<double>()};
 }
@@ -115,6 +115,7 @@ TEST(TimelineWindow, KeysGoThroughTheClipboard) {
       << "one step each";
 
   // Nodes on the clipboard are no keys.
+  ui.expectLogged("the clipboard holds no keys");
   ui.click("header/Box");
   ui.move(ui.emptySpot());
   ui.key("ctrl+c");
@@ -171,7 +172,6 @@ TEST(TimelineWindow, RangeAndSpeedAreTyped) {
   ASSERT_TRUE(ui.running()) << ui.log();
   const auto enter = [&](const std::string& rect, const std::string& text) {
     ui.click(ui.center(rect), {"ctrl"});
-    pause(0.2);
     ui.type(text);
     ui.key("Return");
   };
@@ -229,7 +229,6 @@ TEST(TimelineWindow, PicturesOnNodesFollowTheFrame) {
   const Rect ruler = rectOf(ui, "timeline/ruler");
   const double y = 0.5 * (ruler.top + ruler.bottom);
   ui.drag({ruler.left + 60, y}, {ruler.left + 0.9 * (ruler.right - ruler.left), y});
-  pause(0.5);
   const int rest = ui.trace()["frame"];
   EXPECT_GT(rest, 30);
   EXPECT_TRUE(ui.waitFor(show(rest), 20)) << "at rest: " << ui.trace()["notes"];

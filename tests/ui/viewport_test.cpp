@@ -105,7 +105,6 @@ TEST(Viewport, ChannelsLayersInspectorRegionAndStills) {
   EXPECT_GT(std::atof(middle.substr(middle.find(' ', middle.find(' ') + 1)).c_str()), 0) << middle;
   ui.screenshot("63-inspector");
   ui.click(picture.at(0.4, 0.6));
-  pause(0.3);
   const std::string pinned = inspected();
   EXPECT_NE(pinned, middle);
   ui.move(picture.at(0.8, 0.2));
@@ -201,7 +200,7 @@ TEST(Viewport, ChannelsLayersInspectorRegionAndStills) {
 TEST(Viewport, DraftsOfTheFirstScenePaceThemselves) {
   UiSession ui({1280, 720}, {});
   ASSERT_TRUE(ui.running()) << ui.log();
-  if (ui.waitRect("start/close", 1)) ui.key("Escape");
+  if (ui.shows("start/close")) ui.key("Escape");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("picture"); }, 60));
   ui.move(ui.center("viewport"));
   ui.key("shift+i");
@@ -214,6 +213,7 @@ TEST(Viewport, DraftsOfTheFirstScenePaceThemselves) {
     pause(0.06);
   }
   ui.screenshot("71-dragging");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return !note(t, "hud Last draft").empty(); }));
   const std::string last = note(ui.trace(), "hud Last draft");
   ui.release();
   RecordProperty("draft", last);
@@ -221,7 +221,7 @@ TEST(Viewport, DraftsOfTheFirstScenePaceThemselves) {
   EXPECT_FALSE(last.empty());
   for (const char* key : {"p", "shift+p", "shift+f"}) ui.key(key);
   ui.move(picture.at(0.5, 0.4));
-  pause(1);
+  ui.settle();
   ui.screenshot("72-first-scene-modes");
 }
 

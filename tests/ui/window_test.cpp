@@ -74,8 +74,7 @@ TEST(Window, PanelsLayoutsScaleAndThemeAreKept) {
   EXPECT_TRUE(ui.waitFor([&](const json&) { return std::abs(canvasWidth() - (before - 80)) < 3; }))
       << canvasWidth();
   const Point moved = ui.center("splitter/parameters");
-  ui.move(moved);
-  ui.input({"click", "--repeat", "2", "--delay", "60", "1"});
+  ui.doubleClick(moved);
   EXPECT_TRUE(ui.waitFor([&](const json&) { return std::abs(canvasWidth() - before) < 3; })) << canvasWidth();
 
   // A built-in layout by name, and one of one's own.
@@ -154,7 +153,6 @@ TEST(Window, NoticesTheLogAndTheSheet) {
   ASSERT_TRUE(ui.waitRect("recent/1"));
   ui.screenshot("67-recent");
   ui.click("recent/1");
-  pause(0.3);
   EXPECT_EQ(ui.trace()["path"], file.string());
   ui.click("recent/clear");
   ui.key("Escape");

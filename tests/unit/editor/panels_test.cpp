@@ -126,11 +126,11 @@ TEST(Messages, NoticesAreFewAndTheLineIsCalm) {
   m.hint("That cannot be linked");
   EXPECT_EQ(m.line(), "That cannot be linked");
   EXPECT_EQ(m.text(), "That cannot be linked");
-  m.offer("Reset the camera", "Undo", [](Editor&) {});
-  EXPECT_TRUE(m.notices().back().action);
+  m.offer("Reset the camera", "Undo", "edit.undo");
+  EXPECT_EQ(m.notices().back().command, "edit.undo");
   EXPECT_GT(m.notices().back().lifeMs(), m.notices().front().lifeMs());
   m.dismiss(m.notices().back().id);
-  EXPECT_FALSE(m.notices().back().action);
+  EXPECT_EQ(m.notices().back().command, "");
   EXPECT_GT(m.msLeft(), 0);
 }
 

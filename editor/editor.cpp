@@ -8,7 +8,7 @@
 #include "editor/commands/menu.h"
 #include "editor/commands/shortcut_sheet.h"
 #include "editor/document/drops.h"
-#include "editor/document/exporter.h"
+#include "editor/picture/exporter.h"
 #include "editor/document/graph_pictures.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"

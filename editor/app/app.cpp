@@ -17,7 +17,7 @@
 #include "editor/document/crash_log.h"
 #include "editor/document/drops.h"
 #include "editor/document/end_signals.h"
-#include "editor/document/exporter.h"
+#include "editor/picture/exporter.h"
 #include "editor/document/graph_pictures.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "editor/document/exporter.h"
+#include "editor/picture/exporter.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/exchange/messages.h"

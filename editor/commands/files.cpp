@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "editor/document/drops.h"
-#include "editor/document/exporter.h"
+#include "editor/picture/exporter.h"
 #include "editor/document/graph_pictures.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"

@@ -12,7 +12,6 @@
 #include "editor/preferences/settings.h"
 #include "editor/time/clock.h"
 #include "editor/toolkit/ui.h"
-#include "editor/viewport/viewport_bar.h"
 #include "nodes/declare/value.h"
 #include "renderer/shadow/shadow_map.h"
 #include "renderer/view/map_thumbnail.h"

@@ -17,7 +17,6 @@
 #include "editor/toolkit/segments.h"
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
-#include "editor/viewport/viewport_bar.h"
 #include "renderer/truth/compare.h"
 
 namespace pileus::editor {

@@ -16,7 +16,7 @@
 #include "editor/parameters/param_edit.h"
 #include "editor/parameters/param_help.h"
 #include "editor/toolkit/number_field.h"
-#include "editor/toolkit/point_edit.h"
+#include "editor/parameters/point_edit.h"
 #include "editor/toolkit/pointer_rest.h"
 
 namespace pileus::editor {

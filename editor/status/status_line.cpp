@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/document/exporter.h"
+#include "editor/picture/exporter.h"
 #include "editor/document/session.h"
 #include "editor/picture/shown.h"
 #include "editor/status/log_panel.h"

@@ -9,8 +9,6 @@
 #include "tests/support/support.h"
 
 // These tests read volumes themselves, too.
-extern "C" int pileusTestChild(int argc, char** argv) { return pileus::volume::importChildMain(argc, argv); }
-
 namespace pileus {
 namespace {
 

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <string_view>
 
 #include "renderer/base/log.h"
+#include "renderer/volume/vdb_child.h"
 #include "tests/support/support.h"
-
-/// A test that starts itself as a child process (the VDB importer) defines this.
-extern "C" __attribute__((weak)) int pileusTestChild(int argc, char** argv);
 
 namespace {
 
@@ -51,8 +50,8 @@ ExpectLogged::~ExpectLogged() {
 }  // namespace pileus::test
 
 int main(int argc, char** argv) {
-  if (pileusTestChild && argc > 1 && std::string_view(argv[1]) == "import")
-    return pileusTestChild(argc, argv);
+  // Tests that read volumes start their own executable as the child that parses them.
+  if (argc > 1 && std::string_view(argv[1]) == "import") return pileus::volume::importChildMain(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   if (!std::getenv("XDG_CACHE_HOME")) ::setenv("XDG_CACHE_HOME", pileus::test::scratchFolder().c_str(), 1);
   if (!std::getenv("XDG_CONFIG_HOME")) ::setenv("XDG_CONFIG_HOME", pileus::test::scratchFolder().c_str(), 1);

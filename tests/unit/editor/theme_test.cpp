@@ -133,7 +133,7 @@ TEST(Themes, ThemesDifferAndComeBack) {
 }
 
 TEST(Icons, EachIsBaked) {
-  std::ifstream file(std::string(PILEUS_SOURCE_DIR) + "/editor/icons.h");
+  std::ifstream file(std::string(PILEUS_SOURCE_DIR) + "/editor/toolkit/icons.h");
   std::stringstream text;
   text << file.rdbuf();
   const std::string source = text.str();

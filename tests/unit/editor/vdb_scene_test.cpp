@@ -15,8 +15,6 @@
 #include "tests/support/support.h"
 
 // These tests read volumes, too.
-extern "C" int pileusTestChild(int argc, char** argv) { return pileus::volume::importChildMain(argc, argv); }
-
 namespace pileus::editor {
 namespace {
 

@@ -10,8 +10,6 @@
 #include "tests/support/support.h"
 #include "tests/unit/shadow/reference_scenes.h"
 
-extern "C" int pileusTestChild(int argc, char** argv) { return pileus::volume::importChildMain(argc, argv); }
-
 namespace pileus::shadow {
 namespace {
 

@@ -18,8 +18,6 @@
 #include "renderer/volume/vdb_child.h"
 #include "tests/support/support.h"
 
-extern "C" int pileusTestChild(int argc, char** argv) { return pileus::volume::importChildMain(argc, argv); }
-
 namespace fs = std::filesystem;
 
 namespace pileus::volume {

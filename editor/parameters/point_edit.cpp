@@ -1,4 +1,4 @@
-#include "editor/toolkit/point_edit.h"
+#include "editor/parameters/point_edit.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,4 +1,4 @@
-#include "editor/document/exporter.h"
+#include "editor/picture/exporter.h"
 
 #include "editor/picture/viewed_node.h"
 #include "nodes/declare/value.h"

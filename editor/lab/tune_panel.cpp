@@ -16,8 +16,8 @@
 namespace pileus::editor {
 namespace {
 
-using view::TuneBound;
-using view::TuneCandidate;
+using truth::TuneBound;
+using truth::TuneCandidate;
 
 std::vector<nodes::ShadowGroup> groupsOf(const Editor& editor) {
   const auto& picture = editor.preview.picture();
@@ -104,7 +104,7 @@ void drawCandidate(Editor& editor, vec2 at, float width) {
   const auto c = candidate(panel);
   if (!c) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const bool met = view::meets(*c, panel.goal);
+  const bool met = truth::meets(*c, panel.goal);
   const std::string head = panel.chosen    ? "Chosen"
                            : panel.running ? "Best so far"
                            : met           ? "Best"
@@ -145,7 +145,7 @@ std::string dotText(const TuneCandidate& c) {
 /// Ranges that hold all that was measured and the bound.
 Plot plotOf(Editor& editor, vec2 lo, vec2 hi, const std::vector<TuneCandidate>& all) {
   const Theme& theme = editor.theme;
-  const view::TuneGoal& goal = editor.lab.tune.goal;
+  const truth::TuneGoal& goal = editor.lab.tune.goal;
   Plot plot;
   plot.draw = ImGui::GetWindowDrawList();
   plot.theme = &theme;
@@ -227,11 +227,11 @@ void startTune(Editor& editor) {
   panel.error.clear();
   panel.chosen.reset();
   panel.fraction = 0;
-  view::TuneOptions options;
+  truth::TuneOptions options;
   options.points.count = 6000;
   if (editor.renderer->device().software) options.maxResolution = 1024;
-  panel.run =
-      std::make_unique<view::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal, options);
+  panel.run = std::make_unique<truth::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal,
+                                             options);
   panel.running = true;
 }
 

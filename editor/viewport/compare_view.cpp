@@ -22,7 +22,7 @@ struct Sides {
   unsigned picture = 0, truth = 0;
 };
 
-unsigned drawn(Editor& editor, const view::ComparePass& pass, view::CompareDisplay::Show show, double scale,
+unsigned drawn(Editor& editor, const truth::ComparePass& pass, truth::CompareDisplay::Show show, double scale,
                int slot) {
   Result<unsigned> texture = editor.compare.display.draw(editor.renderer->shaders(), pass, show, scale, slot);
   if (texture) return *texture;
@@ -32,11 +32,11 @@ unsigned drawn(Editor& editor, const view::ComparePass& pass, view::CompareDispl
 
 Sides sidesOf(Editor& editor, ivec2 size) {
   const CompareMode& mode = editor.compare;
-  const view::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shown();
   if (mode.of == CompareOf::Radiance)
     return {editor.viewport.texture, pass ? displayTexture(editor, pass->truth(), size, 1) : 0};
   if (!pass) return {};
-  using Show = view::CompareDisplay::Show;
+  using Show = truth::CompareDisplay::Show;
   return {drawn(editor, *pass, Show::MappedTransmittance, 1, 0),
           drawn(editor, *pass, Show::TrueTransmittance, 1, 1)};
 }
@@ -59,7 +59,7 @@ std::string pictureLabel(const CompareMode& mode) {
 }
 
 std::string truthLabel(const CompareMode& mode) {
-  const view::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shown();
   if (!pass) return "Ray marched, soon";
   if (pass == mode.coarse.get()) return "Ray marched, small";
   const int done = pass->truth()->samples, all = pass->scene().options.samples;
@@ -143,7 +143,7 @@ float drawLegend(Editor& editor, vec2 lo, vec2 hi, double scale) {
   drawText(draw, theme.small, {hi.x - leakWidth, middle}, palette::kTextDim, leak, leakWidth + 1);
   constexpr int kSteps = 75;
   for (int i = 0; i < kSteps; ++i) {
-    const vec3 c = 255.0f * view::falseColour(2.0 * (i + 0.5) / kSteps - 1);
+    const vec3 c = 255.0f * truth::falseColour(2.0 * (i + 0.5) / kSteps - 1);
     draw->AddRectFilled({at.x + width * static_cast<float>(i) / kSteps, at.y},
                         {at.x + width * static_cast<float>(i + 1) / kSteps, at.y + bar},
                         IM_COL32(static_cast<int>(c.r), static_cast<int>(c.g), static_cast<int>(c.b), 255));
@@ -163,10 +163,10 @@ float drawLegend(Editor& editor, vec2 lo, vec2 hi, double scale) {
 
 void drawError(Editor& editor, vec2 lo, vec2 hi) {
   CompareMode& mode = editor.compare;
-  using Show = view::CompareDisplay::Show;
+  using Show = truth::CompareDisplay::Show;
   const bool radiance = mode.of == CompareOf::Radiance;
   const double scale = radiance ? mode.radianceScale : mode.shadowScale;
-  const view::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shown();
   const unsigned texture = pass ? drawn(editor, *pass,
                                         radiance     ? Show::RadianceError
                                         : mode.worst ? Show::WorstError
@@ -223,16 +223,16 @@ void drawCompareFigures(Editor& editor, vec2 lo, vec2 hi) {
   if (mode.layout == CompareLayout::Error)
     to.x -=
         drawLegend(editor, from, to, mode.of == CompareOf::Radiance ? mode.radianceScale : mode.shadowScale);
-  const view::ComparePass* pass = mode.measured();
+  const truth::ComparePass* pass = mode.measured();
   if (!pass) return;
-  const view::CompareFigures& f = pass->figures();
+  const truth::CompareFigures& f = pass->figures();
   const float y = std::round(0.5f * (lo.y + hi.y - theme.small->FontSize));
   const auto put = [&](const std::string& text, ImU32 ink, float after) {
     const float w = textWidth(theme.small, text);
     if (from.x + w <= to.x) drawText(draw, theme.small, {from.x, y}, ink, text, w + 1);
     from.x += w + after;
   };
-  const auto figures = [&](const std::string& head, const view::ErrorFigures& e, bool known) {
+  const auto figures = [&](const std::string& head, const truth::ErrorFigures& e, bool known) {
     put(head, palette::kText, theme.space(2));
     for (const auto& [name, value] :
          {std::pair("mean", e.mean), std::pair("95 %", e.p95), std::pair("max", e.maximum)}) {

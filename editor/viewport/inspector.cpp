@@ -35,7 +35,7 @@ std::array<Side, 2> sidesOf(const Editor& editor) {
   }
   if (!editor.compare.on) return sides;
   sides[0].name = "Picture";
-  if (const view::ComparePass* pass = editor.compare.shown()) sides[1] = {pass->truth(), "Truth"};
+  if (const truth::ComparePass* pass = editor.compare.shown()) sides[1] = {pass->truth(), "Truth"};
   return sides;
 }
 

@@ -8,7 +8,7 @@
 #include "renderer/shaders/shared/compare.h"
 #include "renderer/view/camera_rays.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 constexpr int kRows = 16;         // of a region
@@ -18,7 +18,7 @@ constexpr int kPairs = MAX_LIGHTS / 2;
 
 }  // namespace
 
-ShadowErrorPass::ShadowErrorPass(const RenderScene& scene, const RenderScene& truth)
+ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth)
     : options_(scene.options) {
   std::vector<shadow::ShadowedLight> pairs;
   const auto close = [&] {
@@ -41,13 +41,14 @@ void ShadowErrorPass::start(const gl::DeviceInfo& device) {
     t->filter(GL_NEAREST);
   }
   // The drawn volumes are the same, and first, in every group.
-  const LightSet& any = groups_.front();
+  const view::LightSet& any = groups_.front();
   const auto drawn = std::span(any.volumes()).first(any.drawnVolumes());
-  const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, options_);
+  const std::vector<residency::PixelBounds> bounds = view::pixelBounds(drawn, options_);
   tiles_.build(options_.size, bounds);
   budgets_.resize(groups_.size());
   for (std::size_t i = 0; i < groups_.size(); ++i)
-    budgets_[i].plan(marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device, pauseAfter_);
+    budgets_[i].plan(view::marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device,
+                     pauseAfter_);
   const std::vector<unsigned> zero(ERROR_BINS, 0u);
   bins_.assign(std::span<const unsigned>(zero));
 }
@@ -59,7 +60,7 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
     const ivec2 from = next_, to = glm::min(from + ivec2(width_, kRows), options_.size);
     const Stopwatch region;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      LightSet& group = groups_[i];
+      view::LightSet& group = groups_[i];
       PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, group.volumes(), ms));
       if (residency.fraction < 1) return fraction_;
       if (!errors_) start(gpu.device);
@@ -78,8 +79,8 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
   return fraction_;
 }
 
-Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget,
-                                       ivec2 from, ivec2 to) {
+Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, view::LightSet& lights,
+                                       view::MarchBudget& budget, ivec2 from, ivec2 to) {
   gl::Defines defines = lights.defines();
   const bool solids = lights.drawnSolids() > 0;
   defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
@@ -92,7 +93,7 @@ Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights,
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);
   lights.bind(gpu.store);
-  setCameraRays(*program, options_);
+  view::setCameraRays(*program, options_);
   program->set("pairCount", static_cast<int>(lights.lights().size() / 2));
   program->set("solidCount", static_cast<int>(lights.drawnSolids()));
   program->set("regionOrigin", from);
@@ -152,4 +153,4 @@ double ShadowErrorPass::quantile(double q) const {
   return maximum_;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -12,12 +12,12 @@
 #include "renderer/view/march_budget.h"
 #include "renderer/view/render_scene.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 class ShadowErrorPass {
  public:
   /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
-  ShadowErrorPass(const RenderScene& scene, const RenderScene& truth);
+  ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth);
   /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
   /// MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
@@ -42,11 +42,12 @@ class ShadowErrorPass {
 
  private:
   void start(const gl::DeviceInfo& device);
-  Result<void> dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget, ivec2 from, ivec2 to);
+  Result<void> dispatch(const shadow::Gpu& gpu, view::LightSet& lights, view::MarchBudget& budget, ivec2 from,
+                        ivec2 to);
   void collect(ivec2 from, ivec2 to);
-  RenderOptions options_;
-  std::vector<LightSet> groups_;      ///< pairs of lights, as many as one dispatch may hold
-  std::vector<MarchBudget> budgets_;  ///< of each group
+  view::RenderOptions options_;
+  std::vector<view::LightSet> groups_;      ///< pairs of lights, as many as one dispatch may hold
+  std::vector<view::MarchBudget> budgets_;  ///< of each group
   int pauseAfter_ = 0;
   residency::VolumeSet set_;
   residency::TileLists tiles_;
@@ -58,4 +59,4 @@ class ShadowErrorPass {
   double sum_ = 0, samples_ = 0, maximum_ = 0, leak_ = 0, dark_ = 0, seen_ = 0;
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -220,7 +220,7 @@ TEST(Emission, IsNoSampleOfTheShadowsError) {
     scene.options.samples = 1;
     scene.options.camera = {dvec3(0.5, 0.6, 4), dvec3(0), dvec3(0, 1, 0), 40};
     scene.lights = {{sun, test::build(test::fourier(3), volumes, sun)}};
-    view::ComparePass pass(scene);
+    truth::ComparePass pass(scene);
     while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
     }
     return pass.figures();

@@ -164,7 +164,7 @@ TEST(LoopLimit, PausesLeaveNoTraceInShadowErrors) {
     view::RenderScene scene = mixedScene(lights);
     if (lights == 1) scene.lights = {mixedScene(2).lights[1]};
     const auto measure = [&](int pauseAfter) {
-      view::ShadowErrorPass pass(scene, view::truthOf(scene, 0.4));
+      truth::ShadowErrorPass pass(scene, truth::truthOf(scene, 0.4));
       pass.pauseAfter(pauseAfter);
       while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
       }
@@ -192,7 +192,7 @@ TEST(LoopLimit, ShadowErrorOfManySteps) {
   scene.options.camera = {{0, -50, 0}, {0, 0, 0}, {0, 0, 1}, 0.01};
   scene.volumes = volumes;
   scene.lights = {test::shadowed(test::sunFrom({0, 1, 0}), mapped(), volumes)};
-  view::ShadowErrorPass pass(scene, view::truthOf(scene, 0.1));
+  truth::ShadowErrorPass pass(scene, truth::truthOf(scene, 0.1));
   while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
   }
   std::printf("%.0f samples, mean %.3g, largest %.3g\n", pass.samples(), pass.mean(), pass.maximum());

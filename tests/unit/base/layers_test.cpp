@@ -28,6 +28,9 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"renderer/view",
      {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
       "renderer/shaders", "renderer/residency", "renderer/shadow"}},
+    {"renderer/truth",
+     {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
+      "renderer/shaders", "renderer/residency", "renderer/shadow", "renderer/view"}},
 };
 
 std::string layerOf(const std::string& path) {

@@ -94,10 +94,10 @@ gl::Defines ExtinctionPass::defines() const {
           {"BASIS", r.shadow.y},
           {"BASIS_FLOATS", options_.coefficients},
           {"COEFFICIENTS", options_.coefficients},
-          {"STORES", hasMetric ? 1 << r.metric.kind.x : 1},
+          {"STORES", 1 << (hasMetric ? r.metric.kind.x : STORE_FLOAT)},
           {"STORE", r.coefficients.kind.x},
-          {"WEIGHTS", r.solids.z & 1},
-          {"HORIZON", (r.solids.z >> 1) & 1},
+          {"WEIGHTS", (r.solids.z & LIGHT_HAS_WEIGHTS) != 0},
+          {"HORIZON", (r.solids.z & LIGHT_HAS_HORIZON) != 0},
           {"DAMPING", options_.damping},
           {"PERSPECTIVE", map_->frustum.perspective()},
           {"SHAPES", pass_.shapes()}};

@@ -108,7 +108,7 @@ Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const CompareP
     target.filter(GL_LINEAR);
     target.wrap(GL_CLAMP_TO_EDGE);
   }
-  PILEUS_TRY(gl::Program * program, shaders.program({"view/compare.comp.glsl"}));
+  PILEUS_TRY(gl::Program * program, shaders.program({"truth/compare.comp.glsl"}));
   program->use();
   program->set("size", size);
   program->set("show", static_cast<int>(show));

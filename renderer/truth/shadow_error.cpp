@@ -88,7 +88,7 @@ Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, view::LightSet& l
                                  {"OVERFLOW", tiles_.longest() > kInRegisters},
                                  {"SOLIDS", solids},
                                  {"RESUME", budget.resumes()}});
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/shadow_error.comp.glsl"}, defines));
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"truth/shadow_error.comp.glsl"}, defines));
   program->use();
   set_.bind(gpu.bricks, *program);
   tiles_.bind(*program);

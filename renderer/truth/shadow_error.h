@@ -36,7 +36,7 @@ class ShadowErrorPass {
   }  ///< mean of the pixels' max(dT, 0), each counted by what is seen
   double dark() const { return seen_ > 0 ? dark_ / seen_ : 0; }
 
-  /// RGBA32F, as in view/shadow_error.comp.glsl; no texture before the first region.
+  /// RGBA32F, as in truth/shadow_error.comp.glsl; no texture before the first region.
   const gl::Texture& errors() const { return errors_; }
   const gl::Texture& transmittances() const { return transmittances_; }
 

@@ -71,7 +71,7 @@ MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> vo
   std::vector<double> steps;
   for (const volume::Instance& i : volumes) steps.push_back(cameraSteps(o, i));
   const double stretches = 2.0 * longest + 1;
-  const double most = std::min(mostInTile(o.size, bounds, steps) + stretches, CAMERA_MOST_STEPS * stretches);
+  const double most = std::min(mostInTile(o.size, bounds, steps) + stretches, STRETCH_MOST_STEPS * stretches);
   double fixed = 2, shadows = 0;
   for (const shadow::ShadowedLight& l : lights.lights()) {
     fixed += 2;

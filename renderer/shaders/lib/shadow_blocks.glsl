@@ -21,13 +21,13 @@ vec3 storeCoordinates(ivec4 place, vec2 at, int layer, ivec3 size) {
 
 // One layer of a block at `at` [texels of the block], bilinear.
 vec4 sampleBlock(ivec4 place, int store, vec2 at, int layer) {
-#if STORES == 1
+#if STORES == (1 << STORE_FLOAT)
   return textureLod(shadowFloat, storeCoordinates(place, at, layer, textureSize(shadowFloat, 0)), 0.0);
-#elif STORES == 2
+#elif STORES == (1 << STORE_HALF)
   return textureLod(shadowHalf, storeCoordinates(place, at, layer, textureSize(shadowHalf, 0)), 0.0);
-#elif STORES == 8
+#elif STORES == (1 << STORE_BYTE)
   return textureLod(shadowByte, storeCoordinates(place, at, layer, textureSize(shadowByte, 0)), 0.0);
-#elif STORES == 4
+#elif STORES == (1 << STORE_UNORM)
   return textureLod(shadowUnorm, storeCoordinates(place, at, layer, textureSize(shadowUnorm, 0)), 0.0);
 #else
   if (store == STORE_FLOAT) return textureLod(shadowFloat, storeCoordinates(place, at, layer, textureSize(shadowFloat, 0)), 0.0);
@@ -40,13 +40,13 @@ vec4 sampleBlock(ivec4 place, int store, vec2 at, int layer) {
 // The lowest bit of each channel of a texel of coefficients (half or float) as it is stored; `texel`: whole numbers, clamped to the block.
 // Half texels are read by the nearest filter: for a texelFetch llvmpipe works out a level of detail lane by lane.
 bvec4 lowBits(ivec4 place, int store, vec2 texel, int layer) {
-#if STORES & 1
+#if STORES & (1 << STORE_FLOAT)
   if (store == STORE_FLOAT) {
     ivec3 p = ivec3(vec2(place.xy) + clamp(texel, vec2(0.0), vec2(float(place.z - 1))), place.w + layer);
     return notEqual(floatBitsToUint(texelFetch(shadowFloat, p, 0)) & 1u, uvec4(0u));
   }
 #endif
-#if STORES & 2
+#if STORES & (1 << STORE_HALF)
   uvec2 halves = textureLod(shadowHalfBits, storeCoordinates(place, texel + 0.5, layer, textureSize(shadowHalf, 0)), 0.0).xy;
   return notEqual(uvec4(halves.x, halves.x >> 16, halves.y, halves.y >> 16) & 1u, uvec4(0u));
 #else
@@ -70,7 +70,7 @@ void loadMetricAt(int light, int face, vec2 at, out float m[METRIC_FLOATS], out 
   for (int j = 0; j < kIntervals; ++j) w[j] = 1.0;
 #if WEIGHTS
   ivec4 weightsPlace = lights[light].weights;
-  bool has = (lights[light].solids.z & 1) != 0;
+  bool has = (lights[light].solids.z & LIGHT_HAS_WEIGHTS) != 0;
   int weightLayers = (lights[light].items.x + 3) / 4;
   weightsPlace.w += face * weightLayers;
   for (int i = 0; i < kIntervals; i += 4) {

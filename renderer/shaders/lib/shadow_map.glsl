@@ -1,6 +1,6 @@
 // Reading shadow maps: lookupTransmittance is the one interface of all representations that keep something in the store.
 // Variant constants (shadow::lookupDefines): METRIC_FLOATS and BASIS_FLOATS (largest of the lights present), STORES, WEIGHTS, HORIZON,
-// LOOKUP_BASES (bit per BASIS_* of the extinction maps present), LIGHT_KINDS (bit 1 extinction, 3 transmittance functions, 4 deep), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
+// LOOKUP_BASES (bit per BASIS_* of the extinction maps present), LIGHT_KINDS (bit SHADOW_* for each kind present), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
 // METRIC_COUNT, BASIS, COEFFICIENTS, so that nothing else is compiled in.
 #pragma once
 #include "lib/shadow_blocks.glsl"
@@ -44,13 +44,13 @@ float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
   for (int i = 0; i < kIntervals; ++i) w[i] = 1.0;
   int metric = metricOf(light);
   if (metric != METRIC_NONE) loadMetricAt(light, face, at * (float(lights[light].metric.place.z) / float(lights[light].coefficients.place.z)), m, w);
-#if LOOKUP_BASES & 7
+#if LOOKUP_BASES & ~PIECEWISE_BASES
   BasisPhase phase = basisPhase(basisOf(light), metricU(metric, metricCountOf(light), m, w, x));
 #endif
   loadCoefficients(light, face, at, c);
   covers = metric != METRIC_INTERVAL || m[1] > m[0];
   float tau = 0.0;
-#if LOOKUP_BASES & 8
+#if LOOKUP_BASES & PIECEWISE_BASES
   if (basisOf(light) == BASIS_PIECEWISE) {
     int count, j;
     float v;
@@ -58,15 +58,15 @@ float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
     tau = pieceTau(coefficientsOf(light), c, count, j, v);
   }
 #endif
-#if LOOKUP_BASES & 7
-#if LOOKUP_BASES & 8
+#if LOOKUP_BASES & ~PIECEWISE_BASES
+#if LOOKUP_BASES & PIECEWISE_BASES
   if (basisOf(light) != BASIS_PIECEWISE)
 #endif
     tau = basisTau(basisOf(light), coefficientsOf(light), c, phase);
 #endif
 #if HORIZON
   // Behind the horizon: a ramp from what is in front of it to all there is.
-  if ((lights[light].solids.z & 2) != 0) {
+  if ((lights[light].solids.z & LIGHT_HAS_HORIZON) != 0) {
     vec2 h = textureLod(shadowPair, storeCoordinates(lights[light].horizon, at, face, textureSize(shadowPair, 0)), 0.0).xy;
     float end = intervalsEnd(m);
     tau += x > end ? max(h.x - tau, 0.0) * clamp((x - end) / max(h.y - end, 1e-6), 0.0, 1.0) : 0.0;
@@ -149,16 +149,16 @@ float lookupTransmittance(int light, vec3 world, bool inMedium) {
   vec3 q = mapCoordinates(light, world, float(lights[light].coefficients.place.z), face);
   float x = clamp(q.z, 0.0, 1.0), T = 1.0;
   int kind = lights[light].shadow.x;
-#if (LIGHT_KINDS & 26) == 2
+#if (LIGHT_KINDS & MAPPED_SHADOWS) == (1 << SHADOW_EXTINCTION)
   T = lookupExtinction(light, face, q.xy, x, inMedium);
 #else
-#if LIGHT_KINDS & 2
+#if HAS_SHADOW(SHADOW_EXTINCTION)
   if (kind == SHADOW_EXTINCTION) T = lookupExtinction(light, face, q.xy, x, inMedium);
 #endif
-#if LIGHT_KINDS & 8
+#if HAS_SHADOW(SHADOW_TRANSMITTANCE)
   if (kind == SHADOW_TRANSMITTANCE) T = lookupSeries(light, face, q.xy, x);
 #endif
-#if LIGHT_KINDS & 16
+#if HAS_SHADOW(SHADOW_DEEP)
   if (kind == SHADOW_DEEP) T = lookupDeep(light, face, q.xy, x);
 #endif
 #endif

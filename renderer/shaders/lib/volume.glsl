@@ -1,7 +1,7 @@
 // Placed volumes and their voxels in the brick atlas.
-// llvmpipe runs both sides of every branch and tests a loop's end only after its body, so hot code here is free of branches, loops are
-// do-while, and what the scene does not hold is left out by the variant: SHAPES has bit 0 for grids, bit 1 for analytic shapes
-// and bit 2 for grids whose densities are remapped.
+// llvmpipe runs both sides of every branch and tests a loop's end only after its body, so hot code here is
+// free of branches, loops are do-while, and what the scene does not hold is left out by the variant: SHAPES
+// has the bits SHAPES_* of what there is.
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"
@@ -9,7 +9,7 @@
 #include "lib/resume.glsl"
 
 #ifndef SHAPES
-#define SHAPES 3
+#define SHAPES (SHAPES_GRID | SHAPES_EXACT)
 #endif
 
 layout(binding = UNIT_VOLUMES) uniform samplerBuffer volumeTexels;  // VolumeRecord v at texel v * VOLUME_ROWS
@@ -35,12 +35,12 @@ struct VolumeRay {
   int pages;         // its first page
   float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t; < 0: it only emits
   bool analytic;
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   vec4 remap;  // of the record
 #endif
 };
 
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
 // What a density of the voxels becomes (w), and the factor of the albedo that goes with it.
 vec4 remapped(vec4 remap, float density) {
   float place = clamp(density * remap.y + remap.z, 0.0, float(REMAP_ENTRIES - 1));
@@ -71,14 +71,14 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   r.o = lo, r.d = ld;
   r.bricks = ivec3(1);
   r.pages = 0;
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   r.remap = volumeRow(v, 13);
 #endif
   vec2 hit = intersectBox(lo, ld, boxMin.xyz, boxMax.xyz);
-#if SHAPES & 2
+#if SHAPES & SHAPES_EXACT
   if (shape.x == SHAPE_BALL) hit = intersectBall(lo, ld);
 #endif
-#if SHAPES & 1
+#if SHAPES & SHAPES_GRID
   level = clamp(level, shape.w, max(shape.z - 1, 0));
   ivec4 record = texelFetch(levelTexels, shape.y + level);
   // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
@@ -129,14 +129,14 @@ float sampleGrid(int v, vec3 p, int level) {
   r.analytic = false;
   ivec3 b = brickAt(r.o);
   float density = sampleBrick(pageOf(r, b), r.o, b);
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   density = remapped(volumeRow(v, 13), density).w;
 #endif
   return density;
 }
 
 bool emptyPage(VolumeRay r, uvec4 page) {
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   return uintBitsToFloat(page.w) <= r.remap.w;
 #else
   return page.x == PAGE_CONSTANT && page.y == 0u;
@@ -155,7 +155,7 @@ bool emptyBrick(VolumeRay r, float t) { return !r.analytic && emptyPage(r, pageO
 
 // Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
 float emptyUntil(VolumeRay r, float t) {
-#if SHAPES & 1
+#if SHAPES & SHAPES_GRID
   return emptyBrick(r, t) ? leaveBrick(r, t) : t;
 #else
   return t;
@@ -164,11 +164,11 @@ float emptyUntil(VolumeRay r, float t) {
 
 // At t: sigma_t [1/m] (w) and the factor of the albedo, or of what is emitted.
 vec4 mediumAt(VolumeRay r, float t) {
-#if SHAPES & 1
+#if SHAPES & SHAPES_GRID
   vec3 q = r.o + t * r.d;
   ivec3 b = brickAt(q);
   vec4 here = vec4(vec3(1.0), sampleBrick(pageOf(r, b), q, b));
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   here = remapped(r.remap, here.w);
 #endif
   return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0)) : vec4(here.rgb, max(r.extinction * here.w, 0.0));
@@ -202,7 +202,7 @@ float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
     int next = stepAtOrBehind(i, emptyUntil(r, begin), t0, 0.5, ds);
     MARCH_SAMPLE(0) MARCH_SAMPLE(1) MARCH_SAMPLE(2) MARCH_SAMPLE(3)
     i = max(next, i + MARCH_UNROLL);
-    SPEND(1);
+    spend(1);
   } while (i < n);
   return sum * ds;
 }

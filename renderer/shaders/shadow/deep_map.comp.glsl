@@ -45,14 +45,15 @@ void addPoint(float x, float T) {
 }
 
 void compress(MapTexel mt) {
-  OrderedMarch march[kRays];
+  Stretch march[kRays];
   float T[kRays], a[kRays], b[kRays], sigma[kRays];
   float length_ = 1.0;
   ivec2 range = tileRange(mt.tall);
   for (int r = 0; r < kRays; ++r) {
     vec2 uv = (vec2(mt.texel) + (vec2(float(r % FILTER), float(r / FILTER)) + 0.5) / float(FILTER)) / float(mapEdge);
-    march[r] = beginMarch(mapRay(0, mt.face, uv, float(mapEdge)), range);
-    length_ = march[r].ray.length;
+    MapRay ray = mapRay(0, mt.face, uv, float(mapEdge));
+    march[r] = beginMarch(ray, range);
+    length_ = ray.length;
     T[r] = 1.0;
 #if WINDOWED
     if (!firstWindow()) T[r] = windowStates[stateSlot(kRays + 8) + 8 + r];

@@ -12,7 +12,7 @@ void main() {
   MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   MapRay ray = mapRay(0, mt.face, texelUv(mt), float(mapEdge));
-  OrderedMarch march = beginMarch(ray, tileRange(mt.tall));
+  Stretch march = beginMarch(ray, tileRange(mt.tall));
   float c[BASIS_FLOATS];
   for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
   float T = 1.0, done = 0.0, a, b, sigma;

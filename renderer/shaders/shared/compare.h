@@ -14,7 +14,7 @@
 #define ERROR_LEAST 1e-6
 #define ERROR_DECADES 6.0
 
-// What view/compare.comp.glsl shows.
+// What truth/compare.comp.glsl shows.
 #define SHOW_RADIANCE_ERROR 0       // luminance of compared - truth
 #define SHOW_SHADOW_ERROR 1         // mean dT seen by a pixel
 #define SHOW_WORST_ERROR 2          // the largest dT on a pixel's ray

@@ -9,6 +9,11 @@ namespace pileus::gpu {
 #define SHAPE_BOX 1
 #define SHAPE_BALL 2
 
+// The variant constant SHAPES has a bit for each kind of volume the scene has.
+#define SHAPES_GRID 1
+#define SHAPES_EXACT 2     // boxes and balls
+#define SHAPES_REMAPPED 4  // grids with a table
+
 // One placed volume, VOLUME_ROWS texels of a buffer texture. Local space is index coordinates relative to the lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
 #define VOLUME_ROWS 14
 struct VolumeRecord {
@@ -40,6 +45,10 @@ struct LevelRecord {
 #define SHADOW_TRANSMITTANCE 3
 #define SHADOW_DEEP 4
 
+// The variant constant LIGHT_KINDS has a bit for each SHADOW_* that lights of the scene have.
+#define MAPPED_SHADOWS (1 << SHADOW_EXTINCTION | 1 << SHADOW_TRANSMITTANCE | 1 << SHADOW_DEEP)  // looked up
+#define HAS_SHADOW(kind) (LIGHT_KINDS >> (kind) & 1)
+
 #define LIGHT_SUN 0
 #define LIGHT_POINT 1
 #define LIGHT_SPOT 2
@@ -53,6 +62,7 @@ struct LevelRecord {
 #define BASIS_FOURIER 1
 #define BASIS_SLAB 2
 #define BASIS_PIECEWISE 3
+#define PIECEWISE_BASES (1 << BASIS_PIECEWISE)  // of the variant constant LOOKUP_BASES: a bit for each BASIS_*
 
 #define STORE_FLOAT 0
 #define STORE_HALF 1
@@ -66,6 +76,10 @@ struct BlockRecord {
   ivec4 kind;      // x: STORE_*, y: layers of one face, z: faces (6 for a point light, one after the other; else 1)
 };
 
+// Bits of a light's solids.z.
+#define LIGHT_HAS_WEIGHTS 1  // of intervals
+#define LIGHT_HAS_HORIZON 2
+
 #define MAX_LIGHTS 48  // of one dispatch: fits the 16 KiB a uniform block is guaranteed
 struct LightRecord {
   mat4 lightFromWorld;  // sun: world -> (u, v, x) in [0,1]^3, x from the near to the far plane; else: rigid, the light at the origin, z along its axis
@@ -76,7 +90,7 @@ struct LightRecord {
   vec4 position;        // xyz: of a point or spot light; w: cosine where a spot begins to fade
   ivec4 shadow;         // x: SHADOW_*, y: BASIS_*, z: coefficients, w: METRIC_*
   ivec4 items;          // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray march) or first deep texel; w: LIGHT_*
-  ivec4 solids;         // x, y: first and count in SolidRecords of those that block this light; z: bit 0 interval weights, bit 1 horizon
+  ivec4 solids;         // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*
   BlockRecord metric;
   BlockRecord coefficients;
   ivec4 weights;        // place of the weights' layers (STORE_BYTE), edge and faces as the metric's

@@ -127,7 +127,7 @@ Drawn draw(const view::RenderScene& scene, int pauseAfter) {
 TEST(LoopLimit, PausesLeaveNoTraceInAPicture) {
   for (const int lights : {4, 1}) {
     const view::RenderScene scene = mixedScene(lights);
-    const Drawn whole = draw(scene, view::MarchBudget::kNever);
+    const Drawn whole = draw(scene, residency::MarchBudget::kNever);
     for (const int pauseAfter : {1, 300, 1000}) {
       const Drawn cut = draw(scene, pauseAfter);
       double worst = 0, largest = 0;

@@ -6,6 +6,7 @@
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/resume.h"
 #include "renderer/shadow/additive_target.h"
+#include "renderer/shadow/new_map.h"
 
 namespace pileus::shadow {
 namespace {
@@ -17,14 +18,11 @@ constexpr int kSoftwareEdge = 64;  // of a region
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,
                                const volume::InstanceList& volumes, const LightFrustum& frustum)
     : options_(options),
-      map_(std::make_shared<ShadowMap>()),
-      pass_(volumes, frustum, options.resolution, kSoftwareEdge) {
-  map_->light = light;
-  map_->volumes = pass_.volumes();
+      pass_(volumes, frustum, options.resolution, kSoftwareEdge),
+      map_(newMap(ShadowMap::Kind::Extinction, {}, light, pass_.volumes(), {}, frustum)) {
   map_->basis = options.basis == Basis::Piecewise ? Basis::Cosine : options.basis;  // no intervals
   map_->coefficients = options.coefficients;
   map_->storage = options.storage;
-  map_->frustum = frustum;
   map_->spec.extinction = options;
   map_->spec.metric.metric = Metric::None;
 }
@@ -131,7 +129,6 @@ Result<void> ExtinctionPass::gather(const Gpu& gpu) {
   for (int i = 0; i < batches; ++i) {
     if (volumes > 0) program->set("batch", ivec2(i, volumes));
     pass_.dispatch(gpu, *program);
-    if (volumes > 0) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   return {};
 }

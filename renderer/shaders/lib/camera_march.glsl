@@ -7,9 +7,10 @@
 #include "lib/solid.glsl"
 
 uniform ivec2 regionOrigin, regionEnd, size;
-uniform vec3 eye, right, up, back;     // right and up are scaled to half the picture at distance 1
-uniform float pixelAngle, stepScale;   // footprint [m] of a pixel per metre of distance; steps of so many details
-uniform int solidCount;                // drawn: the first ones
+uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
+uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
+uniform float stepScale;            // steps of so many details
+uniform int solidCount;             // drawn: the first ones
 const bool kSolids = SOLIDS != 0;
 const float kOpaque = 1e-4;  // a ray of less T ends
 

@@ -1,7 +1,7 @@
 // What arrives of a light at a point: through the media by whatever shadow it has, and past the solids that
 // block it. What is read here is bound by view/light_set.h, volumes by residency/volume_set.h.
-// Variant constants: LIGHT_KINDS (bit SHADOW_* for each kind of shadow the lights have), LOCAL_LIGHTS (0: suns
-// only), BLOCKERS of lib/solid.glsl and those of lib/shadow_map.glsl.
+// Variant constants: LIGHT_KINDS (bit SHADOW_* for each kind of shadow the lights have), LOCAL_LIGHTS (0:
+// suns only), BLOCKERS of lib/solid.glsl and those of lib/shadow_map.glsl.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/light.glsl"

@@ -20,8 +20,12 @@ uniform vec3 atlasTexel;  // 1 / size of the atlas
 const float kBrick = 16.0, kStored = 18.0;
 
 vec4 volumeRow(int v, int row) { return texelFetch(volumeTexels, v * VOLUME_ROWS + row); }
-mat4 localFromWorld(int v) { return mat4(volumeRow(v, 0), volumeRow(v, 1), volumeRow(v, 2), volumeRow(v, 3)); }
-mat4 worldFromLocal(int v) { return mat4(volumeRow(v, 4), volumeRow(v, 5), volumeRow(v, 6), volumeRow(v, 7)); }
+mat4 localFromWorld(int v) {
+  return mat4(volumeRow(v, 0), volumeRow(v, 1), volumeRow(v, 2), volumeRow(v, 3));
+}
+mat4 worldFromLocal(int v) {
+  return mat4(volumeRow(v, 4), volumeRow(v, 5), volumeRow(v, 6), volumeRow(v, 7));
+}
 vec4 boundsMin(int v) { return volumeRow(v, 8); }
 vec4 boundsMax(int v) { return volumeRow(v, 9); }
 vec4 albedoOf(int v) { return volumeRow(v, 10); }
@@ -58,7 +62,9 @@ int levelFor(int v, float footprint) {
 }
 
 // March step [m] that resolves volume v at a footprint [m].
-float stepFor(int v, float footprint) { return max(detailOf(v), shapeOf(v).x == SHAPE_GRID ? footprint : 0.0); }
+float stepFor(int v, float footprint) {
+  return max(detailOf(v), shapeOf(v).x == SHAPE_GRID ? footprint : 0.0);
+}
 
 // The part (t0, t1) of the line inside volume v, and the line ready for sampling at a mip level.
 vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
@@ -98,8 +104,8 @@ vec2 extentOfVolume(int v, vec3 o, vec3 d) {
   return enterVolume(v, o, d, 0, r);
 }
 
-// The brick that answers for level position q. Positions in (-1, 0) exist on coarser levels (a coarse voxel's centre lies half a voxel
-// in): the first brick's near apron holds what they need.
+// The brick that answers for level position q. Positions in (-1, 0) exist on coarser levels (a coarse voxel's
+// centre lies half a voxel in): the first brick's near apron holds what they need.
 ivec3 brickAt(vec3 q) { return ivec3(floor(mix(q, max(q, vec3(0.0)), greaterThan(q, vec3(-1.0))) / kBrick)); }
 
 uvec4 pageOf(VolumeRay r, ivec3 b) {
@@ -112,7 +118,8 @@ uvec4 pageOf(VolumeRay r, ivec3 b) {
 float sampleBrick(uvec4 page, vec3 q, ivec3 b) {
   bool constant = page.x == PAGE_CONSTANT;
   uvec3 slot = (uvec3(page.x) >> uvec3(0u, 10u, 20u)) & 1023u;
-  vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;  // apron of one, texel centres at one half
+  // An apron of one, texel centres at one half.
+  vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;
   float value = textureLod(brickAtlas, texel * atlasTexel, 0.0).r;
   return uintBitsToFloat(page.y) + (constant ? 0.0 : uintBitsToFloat(page.z) * value);
 }
@@ -151,7 +158,9 @@ float leaveBrick(VolumeRay r, float t) {
   return t + max(min(min(exits.x, exits.y), exits.z), 0.0);
 }
 
-bool emptyBrick(VolumeRay r, float t) { return !r.analytic && emptyPage(r, pageOf(r, brickAt(r.o + t * r.d))); }
+bool emptyBrick(VolumeRay r, float t) {
+  return !r.analytic && emptyPage(r, pageOf(r, brickAt(r.o + t * r.d)));
+}
 
 // Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
 float emptyUntil(VolumeRay r, float t) {
@@ -171,7 +180,8 @@ vec4 mediumAt(VolumeRay r, float t) {
 #if SHAPES & SHAPES_REMAPPED
   here = remapped(r.remap, here.w);
 #endif
-  return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0)) : vec4(here.rgb, max(r.extinction * here.w, 0.0));
+  return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0))
+                    : vec4(here.rgb, max(r.extinction * here.w, 0.0));
 #else
   return vec4(vec3(1.0), max(r.extinction, 0.0));
 #endif
@@ -181,11 +191,13 @@ vec4 mediumAt(VolumeRay r, float t) {
 float sigmaAt(VolumeRay r, float t) { return mediumAt(r, t).w; }
 
 // The first of the steps t0 + (i + offset) ds at or behind t, but not before i.
-int stepAtOrBehind(int i, float t, float t0, float offset, float ds) { return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6))); }
+int stepAtOrBehind(int i, float t, float t0, float offset, float ds) {
+  return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6)));
+}
 
-// Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of `scale` details. Samples are taken
-// MARCH_UNROLL at a time (written out: a loop would cost iterations); in empty bricks they are zeros, and where a group begins in one it is
-// left at once.
+// Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of
+// `scale` details. Samples are taken MARCH_UNROLL at a time (written out: a loop would cost iterations); in
+// empty bricks they are zeros, and where a group begins in one it is left at once.
 #define MARCH_SAMPLE(j) \
   sum += i + j < n ? sigmaAt(r, begin + float(j) * ds) : 0.0;
 float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "editor/picture/exporter.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/exchange/messages.h"
+#include "editor/picture/exporter.h"
 #include "editor/picture/shown.h"
 #include "editor/time/clock.h"
 #include "editor/toolkit/ui.h"

@@ -26,7 +26,7 @@ Result<void> benchDeep(const BenchSetup& setup) {
   scene::Light sun;
   sun.towards = scene::sunDirection(30, 40);
   JobControl control;
-  PILEUS_TRY(const view::ShadowSamples samples, view::sampleShadow(sun, {smoke}, {}, control));
+  PILEUS_TRY(const truth::ShadowSamples samples, truth::sampleShadow(sun, {smoke}, {}, control));
   PILEUS_TRY(const std::shared_ptr<const shadow::ShadowMap> raw,
              shadow::buildShadow(gpu, deepSpec(0, 256), sun, {smoke}));
   std::printf(

@@ -39,8 +39,8 @@ Result<void> benchCloudField(const BenchSetup& setup) {
   constexpr int kResolution = 512;
   PILEUS_TRY(const view::RenderScene scene, cloudField(76, 1));
   JobControl control;
-  PILEUS_TRY(const view::ShadowSamples samples,
-             view::sampleShadow(scene.lights[0].light, scene.volumes, {}, control));
+  PILEUS_TRY(const truth::ShadowSamples samples,
+             truth::sampleShadow(scene.lights[0].light, scene.volumes, {}, control));
   const shadow::Gpu gpu = setup.renderer->gpu();
   std::printf(
       "76 clouds over a square kilometre, 6 groups in 10 overlap; one sun, maps of %d x %d. |dT| at %zu "
@@ -55,7 +55,7 @@ Result<void> benchCloudField(const BenchSetup& setup) {
     const Stopwatch clock;
     PILEUS_TRY(const auto map, shadow::buildShadow(gpu, row.spec, scene.lights[0].light, scene.volumes));
     const double ms = clock.ms();
-    PILEUS_TRY(const view::ProbeResult r, view::probe(gpu, *map, samples));
+    PILEUS_TRY(const truth::ProbeResult r, truth::probe(gpu, *map, samples));
     std::printf("| %s | %.0f | %.4f | %.4f | %.3f | %+.4f | %.0f | %.0f |\n",
                 shadow::describe(row.spec).c_str(), map->bytesPerTexel(), r.error.mean, r.error.p95,
                 r.error.maximum, r.error.bias, ms, r.nsPerLookup);
@@ -70,7 +70,7 @@ Result<void> benchThreeClouds(const BenchSetup& setup) {
   const scene::Light& light = scene.lights[0].light;
   const shadow::Gpu gpu = setup.renderer->gpu();
   JobControl control;
-  PILEUS_TRY(const view::ShadowSamples samples, view::sampleShadow(light, scene.volumes, {}, control));
+  PILEUS_TRY(const truth::ShadowSamples samples, truth::sampleShadow(light, scene.volumes, {}, control));
   PILEUS_TRY(const image::Image truth,
              picture(gpu, scene, shadow::marchedShadow(light, scene.volumes, {}, 0.5)));
   std::printf(
@@ -89,7 +89,7 @@ Result<void> benchThreeClouds(const BenchSetup& setup) {
     shadow::ShadowSpec spec;
     std::shared_ptr<const shadow::ShadowMap> map;
     double relMse = 0;
-    view::ShadowError error;
+    truth::ShadowError error;
     std::vector<double> ns, nsRatios, ms, msRatios;
   };
   std::vector<Row> rows;
@@ -109,7 +109,7 @@ Result<void> benchThreeClouds(const BenchSetup& setup) {
     double unshadowed = 0, shadowed = 0;
     PILEUS_CHECK(picture(gpu, scene, nullptr, &unshadowed));
     for (Row& row : rows) {
-      PILEUS_TRY(const view::ProbeResult r, view::probe(gpu, *row.map, samples, 1));
+      PILEUS_TRY(const truth::ProbeResult r, truth::probe(gpu, *row.map, samples, 1));
       row.error = r.error;
       row.ns.push_back(r.nsPerLookup);
       row.nsRatios.push_back(r.nsPerLookup / rows.front().ns.back());

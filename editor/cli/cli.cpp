@@ -141,19 +141,19 @@ int run(int argc, char** argv, const EditorSide& editor) {
   goals->add_option("--p95", "95th percentile of |dT| on the worst light: least memory is sought.")
       ->check(CLI::PositiveNumber)
       ->each([&](const std::string& v) {
-        tune.goal = {view::TuneBound::P95, std::stod(v)};
+        tune.goal = {truth::TuneBound::P95, std::stod(v)};
       });
   goals
       ->add_option("--ms",
                    "Milliseconds to build all maps and look them up a million times: least error is sought.")
       ->check(CLI::PositiveNumber)
       ->each([&](const std::string& v) {
-        tune.goal = {view::TuneBound::Milliseconds, std::stod(v)};
+        tune.goal = {truth::TuneBound::Milliseconds, std::stod(v)};
       });
   goals->add_option("--mib", "MiB of all maps: least error is sought.")
       ->check(CLI::PositiveNumber)
       ->each([&](const std::string& v) {
-        tune.goal = {view::TuneBound::Mebibytes, std::stod(v)};
+        tune.goal = {truth::TuneBound::Mebibytes, std::stod(v)};
       });
   goals->require_option(1);
   tuneCommand->add_option("--points", tune.points, "Points a light is judged at.")

@@ -55,8 +55,8 @@ Result<double> silhouetteError(const shadow::Gpu& gpu, const shadow::ShadowSpec&
     at.push_back(vec4(vec3(p), 0));
     expected.push_back(blend);
   }
-  PILEUS_TRY(const std::vector<float> mapped, view::lookupTransmittance(gpu, *map, at));
-  return view::shadowError(mapped, expected).maximum;
+  PILEUS_TRY(const std::vector<float> mapped, truth::lookupTransmittance(gpu, *map, at));
+  return truth::shadowError(mapped, expected).maximum;
 }
 
 shadow::ShadowSpec intervalSpec(int intervals, int coefficients, int resolution, bool extras,
@@ -83,11 +83,11 @@ Result<DeepMeasure> measureDeep(const shadow::Gpu& gpu, const shadow::ShadowSpec
   for (double done = 0; done < 1;) {
     PILEUS_TRY(done, pass.step(gpu, 1e12));
   }
-  PILEUS_TRY(const std::vector<float> raw, view::lookupTransmittance(gpu, uncompressed, at));
-  PILEUS_TRY(const std::vector<float> mapped, view::lookupTransmittance(gpu, *pass.map(), at));
+  PILEUS_TRY(const std::vector<float> raw, truth::lookupTransmittance(gpu, uncompressed, at));
+  PILEUS_TRY(const std::vector<float> mapped, truth::lookupTransmittance(gpu, *pass.map(), at));
   DeepMeasure m;
   m.statistics = *pass.deepStatistics();
-  m.largest = view::shadowError(mapped, std::vector<double>(raw.begin(), raw.end())).maximum;
+  m.largest = truth::shadowError(mapped, std::vector<double>(raw.begin(), raw.end())).maximum;
   return m;
 }
 

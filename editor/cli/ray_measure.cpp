@@ -22,7 +22,7 @@ Result<RayError> measure(const shadow::Gpu& gpu, const RayScene& scene, const sc
                          const std::shared_ptr<const shadow::ShadowMap>& map) {
   shadow::ShadowMap lit = *map;
   lit.light = light;
-  PILEUS_TRY(const std::vector<float> mapped, view::lookupTransmittance(gpu, lit, scene.positions));
+  PILEUS_TRY(const std::vector<float> mapped, truth::lookupTransmittance(gpu, lit, scene.positions));
   struct Sum {
     double square = 0, worst = 0;
     std::size_t n = 0;

@@ -27,25 +27,25 @@ Result<void> prepareFolder(const fs::path& folder, bool overwrite) {
   return {};
 }
 
-std::string label(const view::ShootoutEntry& e, const view::ShadowMeasure& m) {
+std::string label(const truth::ShootoutEntry& e, const truth::ShadowMeasure& m) {
   return e.lights.size() > 1 ? fmt::format("{}, light {}", e.name, m.light + 1) : e.name;
 }
 
-void printTable(const std::vector<view::ShootoutEntry>& entries) {
-  std::optional<view::ShootoutGroup> group;
+void printTable(const std::vector<truth::ShootoutEntry>& entries) {
+  std::optional<truth::ShootoutGroup> group;
   std::size_t width = 0;
-  for (const view::ShootoutEntry& e : entries) width = std::max(width, label(e, e.lights.back()).size());
-  for (const view::ShootoutEntry& e : entries) {
+  for (const truth::ShootoutEntry& e : entries) width = std::max(width, label(e, e.lights.back()).size());
+  for (const truth::ShootoutEntry& e : entries) {
     if (group != e.group) {
       fmt::print("{}{}\n", group ? "\n" : "",
-                 e.group == view::ShootoutGroup::Truth      ? "Truth"
-                 : e.group == view::ShootoutGroup::Defaults ? "Defaults"
-                                                            : "Equal memory");
+                 e.group == truth::ShootoutGroup::Truth      ? "Truth"
+                 : e.group == truth::ShootoutGroup::Defaults ? "Defaults"
+                                                             : "Equal memory");
       fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>10} {:>10} {:>8} {:>6} {:>9} {:>10}\n", "representation", width,
                  "mean |dT|", "p95", "max", "build ms", "ns/lookup", "B/texel", "texels", "MiB", "relMSE");
       group = e.group;
     }
-    for (const view::ShadowMeasure& m : e.lights)
+    for (const truth::ShadowMeasure& m : e.lights)
       fmt::print("{:<{}} {:>9.5f} {:>9.4f} {:>9.3f} {:>10.2f} {:>10.1f} {:>8.1f} {:>6} {:>9.3f} {:>10.3e}\n",
                  label(e, m), width, m.error.mean, m.error.p95, m.error.maximum, m.buildMs, m.nsPerLookup,
                  m.bytesPerTexel, shadow::resolutionOf(m.spec), double(m.bytes) / (1 << 20), e.relMse);
@@ -57,7 +57,7 @@ Result<void> run(const ShootoutArguments& a) {
   PILEUS_TRY(const SceneFile file, openScene(a.file, a.render));
   PILEUS_CHECK(prepareFolder(folder, a.overwrite));
   const Stopwatch clock;
-  view::Shootout shootout(file.scene, {a.resolution, a.size, a.samples, {.count = a.points}});
+  truth::Shootout shootout(file.scene, {a.resolution, a.size, a.samples, {.count = a.points}});
   const shadow::Gpu gpu = file.renderer->gpu();
   MeasureProgress progress;
   for (double done = 0; done < 1;) {
@@ -67,10 +67,10 @@ Result<void> run(const ShootoutArguments& a) {
     progress.show(done = *step, shootout.doing());
   }
   progress.finish();
-  PILEUS_CHECK(writeFileAtomic(folder / "shootout.csv", view::shootoutCsv(shootout.entries())));
+  PILEUS_CHECK(writeFileAtomic(folder / "shootout.csv", truth::shootoutCsv(shootout.entries())));
   PILEUS_TRY(const auto config, colorConfigOf(file.graph, fs::absolute(a.file).parent_path()));
   const DisplayChoice choice = displayOf(file.graph);
-  view::SheetOptions sheet;
+  truth::SheetOptions sheet;
   sheet.display = choice.display;
   sheet.view = choice.view;
   sheet.exposure = choice.exposure;
@@ -80,7 +80,7 @@ Result<void> run(const ShootoutArguments& a) {
       "{} light{}, {} points in the media against exact transmittance; {} x {} pixels, {} samples; {}",
       lights, lights == 1 ? "" : "s (the worst one's error is shown)", shootout.pointCount(), a.size.x,
       a.size.y, a.samples, file.renderer->device().renderer);
-  PILEUS_TRY(const image::Canvas canvas, view::contactSheet(shootout.entries(), *config, sheet));
+  PILEUS_TRY(const image::Canvas canvas, truth::contactSheet(shootout.entries(), *config, sheet));
   PILEUS_CHECK(image::writePng(folder / "contact-sheet.png", canvas.size, canvas.rgba.data()));
   printTable(shootout.entries());
   fmt::print("\n{} points, {}; {} and contact-sheet.png ({:.1f} s)\n", shootout.pointCount(),

@@ -14,28 +14,28 @@ namespace fs = std::filesystem;
 namespace pileus::cli {
 namespace {
 
-std::string goalText(const view::TuneGoal& goal) {
+std::string goalText(const truth::TuneGoal& goal) {
   switch (goal.bound) {
-    case view::TuneBound::P95:
+    case truth::TuneBound::P95:
       return fmt::format("p95 |dT| <= {:g}", goal.limit);
-    case view::TuneBound::Milliseconds:
+    case truth::TuneBound::Milliseconds:
       return fmt::format("{:g} ms", goal.limit);
-    case view::TuneBound::Mebibytes:
+    case truth::TuneBound::Mebibytes:
       break;
   }
   return fmt::format("{:g} MiB", goal.limit);
 }
 
-std::string candidateText(const view::TuneCandidate& c) {
+std::string candidateText(const truth::TuneCandidate& c) {
   return fmt::format("{}, {} texels: p95 {:.4f}, {:.3f} MiB, {:.2f} ms", shadow::describe(c.spec),
                      shadow::resolutionOf(c.spec), c.p95, double(c.bytes) / (1 << 20), c.ms());
 }
 
-void printCurve(const view::Tuner& tuner) {
+void printCurve(const truth::Tuner& tuner) {
   const auto best = tuner.best();
   fmt::print("{:<2}{:>9} {:>9} {:>9} {:>9} {:>10} {:>7}  {}\n", "", "MiB", "p95 |dT|", "mean", "build ms",
              "ns/lookup", "texels", "representation");
-  for (const view::TuneCandidate& c : tuner.curve())
+  for (const truth::TuneCandidate& c : tuner.curve())
     fmt::print("{:<2}{:>9.3f} {:>9.4f} {:>9.5f} {:>9.2f} {:>10.1f} {:>7}  {}\n",
                best && c.spec == best->spec ? "*" : "", double(c.bytes) / (1 << 20), c.p95, c.mean, c.buildMs,
                c.nsPerLookup, shadow::resolutionOf(c.spec), shadow::describe(c.spec));
@@ -44,10 +44,11 @@ void printCurve(const view::Tuner& tuner) {
 /// The graph with the group's nodes tuned.
 Result<nodes::Graph> tuneGroup(const SceneFile& file, const TuneArguments& a, const nodes::ShadowGroup& group,
                                double share, const nodes::Graph& graph) {
-  view::TuneGoal goal = a.goal;
-  if (goal.bound != view::TuneBound::P95) goal.limit *= share;  // what is spent is shared by number of lights
-  view::Tuner tuner(group.casters, group.nodes.front().spec, goal,
-                    {{.count = a.points}, std::min(128, a.maxResolution), a.maxResolution});
+  truth::TuneGoal goal = a.goal;
+  if (goal.bound != truth::TuneBound::P95)
+    goal.limit *= share;  // what is spent is shared by number of lights
+  truth::Tuner tuner(group.casters, group.nodes.front().spec, goal,
+                     {{.count = a.points}, std::min(128, a.maxResolution), a.maxResolution});
   const shadow::Gpu gpu = file.renderer->gpu();
   MeasureProgress progress;
   for (double done = 0; done < 1;) {

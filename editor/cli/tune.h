@@ -9,7 +9,7 @@ namespace pileus::cli {
 
 struct TuneArguments {
   std::filesystem::path file, out;
-  view::TuneGoal goal;
+  truth::TuneGoal goal;
   std::string render;  ///< node; "": the one that feeds an output
   int points = 20000, maxResolution = 2048;
   bool overwrite = false;

@@ -14,6 +14,7 @@
 #include "editor/commands/look.h"
 #include "editor/commands/panel_commands.h"
 #include "editor/document/session.h"
+#include "editor/editor.h"
 #include "editor/exchange/messages.h"
 #include "editor/preferences/settings.h"
 #include "editor/toolkit/draw_text.h"
@@ -21,7 +22,6 @@
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/ui_trace.h"
-#include "editor/editor.h"
 #include "embedded_presets.h"
 
 namespace pileus::editor {

@@ -2,8 +2,8 @@
 #include "editor/commands/table.h"
 #include "editor/time/clock.h"
 #include "editor/time/playback.h"
-#include "editor/timeline_view/timeline_clipboard.h"
 #include "editor/time/timeline_edits.h"
+#include "editor/timeline_view/timeline_clipboard.h"
 #include "editor/timeline_view/timeline_state.h"
 
 namespace pileus::editor {

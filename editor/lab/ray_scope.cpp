@@ -55,8 +55,8 @@ void follow(const Shown& shown, RayScope& scope) {
     scope.error = "No light of this picture has a shadow.";
     return;
   }
-  Result<view::RayProbe> probe =
-      view::probeRay(shown.renderer.gpu(), picture->scene->lights[lights[scope.light]], *shown.ray.point);
+  Result<truth::RayProbe> probe =
+      truth::probeRay(shown.renderer.gpu(), picture->scene->lights[lights[scope.light]], *shown.ray.point);
   scope.probe.reset();
   if (!probe) {
     scope.error = probe.error().message;
@@ -64,7 +64,7 @@ void follow(const Shown& shown, RayScope& scope) {
   }
   const std::size_t count = probe->taps.taps.empty() ? 0 : probe->taps.taps.front().coefficients.size();
   if (scope.muted.size() != count) scope.muted.assign(count, 0);
-  scope.flags = view::rayFlags(*probe);
+  scope.flags = truth::rayFlags(*probe);
   scope.probe = std::move(*probe);
   scope.overU = {};
 }
@@ -73,8 +73,8 @@ void follow(const Shown& shown, RayScope& scope) {
 void followMuted(RayScope& scope, bool changed) {
   const bool any = std::any_of(scope.muted.begin(), scope.muted.end(), [](char m) { return m != 0; });
   if (!changed && !scope.overU.u.empty() && any != scope.mutedT.empty()) return;
-  scope.mutedT = any ? view::mutedTransmittance(*scope.probe, scope.muted) : std::vector<double>{};
-  scope.overU = view::extinctionOverU(*scope.probe, scope.muted);
+  scope.mutedT = any ? truth::mutedTransmittance(*scope.probe, scope.muted) : std::vector<double>{};
+  scope.overU = truth::extinctionOverU(*scope.probe, scope.muted);
 }
 
 void drawHead(Ui& ui, Shown& shown, Settings& settings, RayScope& scope, vec2 lo, vec2 hi) {
@@ -128,7 +128,7 @@ void drawHint(Ui& ui, vec2 lo, vec2 hi, const std::string& text) {
 /// The representation, and the figures of the point and of the ray.
 void drawSummary(Ui& ui, const RayScope& scope, ChartSpace& space) {
   const Theme& theme = ui.theme;
-  const view::RayProbe& p = *scope.probe;
+  const truth::RayProbe& p = *scope.probe;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const auto line = [&](ImFont* font, ImU32 ink, const std::string& text) {
     drawText(draw, font, {space.left, space.y}, ink, text, space.right - space.left);
@@ -156,7 +156,7 @@ void drawSummary(Ui& ui, const RayScope& scope, ChartSpace& space) {
 
 float flagsHeight(const Theme& theme, const RayScope& scope, float width) {
   float height = 0;
-  for (const view::RayFlag& f : scope.flags)
+  for (const truth::RayFlag& f : scope.flags)
     height +=
         theme.small->CalcTextSizeA(theme.small->FontSize, FLT_MAX, width - theme.px(20), f.text.c_str()).y +
         theme.px(4);
@@ -168,8 +168,8 @@ void drawFlags(Ui& ui, const RayScope& scope, const ChartSpace& space) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   float y = space.y;
   std::string all;
-  for (const view::RayFlag& f : scope.flags) {
-    const bool warning = f.weight == view::RayFlag::Weight::Warning;
+  for (const truth::RayFlag& f : scope.flags) {
+    const bool warning = f.weight == truth::RayFlag::Weight::Warning;
     drawText(draw, theme.small, {space.left, y}, warning ? palette::kWarning : palette::kTextFaint,
              warning ? icon::kWarning : icon::kInfo, theme.px(18));
     const float width = space.right - space.left - theme.px(20);

@@ -19,8 +19,8 @@ struct RayScope {
   std::size_t light = 0;  ///< among the lights with a shadow
 
   // What is shown, and what it was made for.
-  std::optional<view::RayProbe> probe;
-  std::vector<view::RayFlag> flags;
+  std::optional<truth::RayProbe> probe;
+  std::vector<truth::RayFlag> flags;
   std::string error;
   std::shared_ptr<const void> scene;
   std::optional<dvec3> probedPoint;
@@ -29,7 +29,7 @@ struct RayScope {
   std::vector<char> muted;  ///< by coefficient
   // Made anew where `muted` changes.
   std::vector<double> mutedT;  ///< empty: nothing is muted
-  view::ExtinctionOverU overU;
+  truth::ExtinctionOverU overU;
 };
 
 void drawRayScope(Ui& ui, Shown& shown, Settings& settings, RayScope& scope, ImVec2 min, ImVec2 max);

@@ -21,9 +21,9 @@ constexpr const ImU32* kVolumes[] = {&palette::kSeries0, &palette::kSeries1, &pa
 constexpr float kGutter = 44;      // design pixels for the labels of y
 constexpr std::size_t kLanes = 4;  // of volume bars; the last one takes the rest
 
-bool deep(const view::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::Deep; }
-bool marched(const view::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::RayMarch; }
-bool hasMetric(const view::RayProbe& p) { return p.map->metric && p.map->metric->block; }
+bool deep(const truth::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::Deep; }
+bool marched(const truth::RayProbe& p) { return p.map->kind == shadow::ShadowMap::Kind::RayMarch; }
+bool hasMetric(const truth::RayProbe& p) { return p.map->metric && p.map->metric->block; }
 
 Plot plotIn(const Theme& theme, const ChartSpace& space, float height, dvec2 x, dvec2 y) {
   Plot plot;
@@ -54,7 +54,7 @@ void heading(const Theme& theme, ChartSpace& space, const std::string& text,
 }
 
 /// The part of the ray that is worth looking at, in metres.
-dvec2 shownRange(const view::RayProbe& p) {
+dvec2 shownRange(const truth::RayProbe& p) {
   dvec2 r(p.pointX, p.pointX);
   if (!p.covered.empty()) r = {std::min(r.x, p.covered.front().x), std::max(r.y, p.covered.back().y)};
   const double room = std::max(0.06 * (r.y - r.x), 1e-3);
@@ -63,14 +63,14 @@ dvec2 shownRange(const view::RayProbe& p) {
   return {p.metres(r.x), p.metres(r.y)};
 }
 
-std::vector<double> metresOf(const view::RayProbe& p) {
+std::vector<double> metresOf(const truth::RayProbe& p) {
   std::vector<double> out;
   for (const double x : p.x) out.push_back(p.metres(x));
   return out;
 }
 
 /// A lane for each part, so that those on one lane do not overlap; the last lane takes what is left.
-std::vector<int> lanesOf(const view::RayProbe& p) {
+std::vector<int> lanesOf(const truth::RayProbe& p) {
   std::vector<std::size_t> order(p.parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
@@ -88,20 +88,20 @@ std::vector<int> lanesOf(const view::RayProbe& p) {
   return lanes;
 }
 
-int laneCount(const view::RayProbe& p) {
+int laneCount(const truth::RayProbe& p) {
   const std::vector<int> lanes = lanesOf(p);
   return lanes.empty() ? 1 : 1 + *std::max_element(lanes.begin(), lanes.end());
 }
 
 /// Where which volume is, as bars under the chart.
-void drawVolumes(Ui& ui, ChartSpace& space, const view::RayProbe& p, const Plot& above) {
+void drawVolumes(Ui& ui, ChartSpace& space, const truth::RayProbe& p, const Plot& above) {
   const Theme& theme = ui.theme;
   const float lane = theme.px(7);
   Plot plot = above;
   plot.lo.y = space.y, plot.hi.y = space.y + lane * static_cast<float>(laneCount(p));
   const std::vector<int> lanes = lanesOf(p);
   for (std::size_t i = 0; i < p.parts.size(); ++i) {
-    const view::RayPart& part = p.parts[i];
+    const truth::RayPart& part = p.parts[i];
     const int row = lanes[i];
     const float x0 = std::max(plot.px(p.metres(part.from)), plot.lo.x),
                 x1 = std::min(std::max(plot.px(p.metres(part.to)), x0 + 1), plot.hi.x);
@@ -119,7 +119,7 @@ void drawVolumes(Ui& ui, ChartSpace& space, const view::RayProbe& p, const Plot&
   space.y = plot.hi.y + theme.px(4);
 }
 
-std::string valuesAt(const view::RayProbe& p, const RayScope& scope, double x) {
+std::string valuesAt(const truth::RayProbe& p, const RayScope& scope, double x) {
   const double exact = interpolated(p.x, p.exact, x);
   std::string text = fmt::format("{:.4g} m\nT {:.4f} exact", p.metres(x), exact);
   if (!p.mapped.empty()) {
@@ -132,7 +132,7 @@ std::string valuesAt(const view::RayProbe& p, const RayScope& scope, double x) {
   return text;
 }
 
-void hover(Ui& ui, const RayScope& scope, const view::RayProbe& p, const Plot& plot) {
+void hover(Ui& ui, const RayScope& scope, const truth::RayProbe& p, const Plot& plot) {
   if (!plot.hovered()) return;
   const double metres = plot.xAt(ImGui::GetIO().MousePos.x), x = (metres - p.nearDistance) / p.length;
   plotVertical(plot, metres, palette::kTextFaint, false);
@@ -141,7 +141,7 @@ void hover(Ui& ui, const RayScope& scope, const view::RayProbe& p, const Plot& p
   ui.trace.note("scope hover", text);
 }
 
-void drawMetric(Ui& ui, const RayScope& scope, ChartSpace& space, const view::RayProbe& p,
+void drawMetric(Ui& ui, const RayScope& scope, ChartSpace& space, const truth::RayProbe& p,
                 const std::vector<double>& metres, dvec2 range) {
   const Theme& theme = ui.theme;
   heading(ui.theme, space, "g, the share of the metric in front");
@@ -164,7 +164,7 @@ void drawMetric(Ui& ui, const RayScope& scope, ChartSpace& space, const view::Ra
   space.y = plot.hi.y + theme.space(2);
 }
 
-std::string termText(const view::RayProbe& p, std::size_t k) {
+std::string termText(const truth::RayProbe& p, std::size_t k) {
   const shadow::Basis basis = p.map->basis;
   if (basis == shadow::Basis::Slab) return fmt::format("slab {} of {}", k + 1, p.map->coefficients);
   if (basis == shadow::Basis::Piecewise) {
@@ -187,7 +187,7 @@ std::string termText(const view::RayProbe& p, std::size_t k) {
 }  // namespace
 
 float chartOverhead(const Theme& theme, const RayScope& scope) {
-  const view::RayProbe& p = *scope.probe;
+  const truth::RayProbe& p = *scope.probe;
   const float heading = theme.small->FontSize + theme.px(5), axis = theme.small->FontSize + theme.px(6);
   float out = heading + axis + theme.px(7) * static_cast<float>(laneCount(p)) + theme.px(4) + theme.space(2);
   if (hasMetric(p)) out += heading + theme.space(2);
@@ -198,7 +198,7 @@ float chartOverhead(const Theme& theme, const RayScope& scope) {
 
 void drawTransmittance(Ui& ui, const RayScope& scope, ChartSpace& space) {
   const Theme& theme = ui.theme;
-  const view::RayProbe& p = *scope.probe;
+  const truth::RayProbe& p = *scope.probe;
   const std::vector<double> metres = metresOf(p);
   const dvec2 range = shownRange(p);
   std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kExact}};
@@ -230,8 +230,8 @@ void drawTransmittance(Ui& ui, const RayScope& scope, ChartSpace& space) {
 
 void drawExtinction(Ui& ui, const RayScope& scope, ChartSpace& space) {
   const Theme& theme = ui.theme;
-  const view::RayProbe& p = *scope.probe;
-  const view::ExtinctionOverU& e = scope.overU;
+  const truth::RayProbe& p = *scope.probe;
+  const truth::ExtinctionOverU& e = scope.overU;
   if (e.exact.empty()) return;
   const bool muted = !scope.mutedT.empty();
   std::vector<std::pair<std::string, ImU32>> keys{{"exact", palette::kGhost}};
@@ -273,7 +273,7 @@ void drawExtinction(Ui& ui, const RayScope& scope, ChartSpace& space) {
 
 void drawCoefficients(Ui& ui, RayScope& scope, ChartSpace& space) {
   const Theme& theme = ui.theme;
-  const view::RayProbe& p = *scope.probe;
+  const truth::RayProbe& p = *scope.probe;
   if (p.taps.taps.empty() || marched(p)) return;
   const std::vector<double>& c = p.taps.taps.front().coefficients;
   heading(ui.theme, space, fmt::format("Coefficients of texel {}, {}", p.taps.texel.x, p.taps.texel.y));

@@ -27,7 +27,7 @@ constexpr int kFirstSlot = 16;  // of the display's textures: two per entry
 struct Column {
   const char* name;
   float width;  ///< design pixels
-  double (*value)(const view::ShootoutEntry&);
+  double (*value)(const truth::ShootoutEntry&);
   std::string (*text)(double);
 };
 
@@ -38,9 +38,9 @@ std::string plain(double v) {
   return v >= 100 ? fmt::format("{:.0f}", v) : v >= 10 ? fmt::format("{:.1f}", v) : fmt::format("{:.2f}", v);
 }
 
-double lookups(const view::ShootoutEntry& e) {
+double lookups(const truth::ShootoutEntry& e) {
   double ns = 0;
-  for (const view::ShadowMeasure& m : e.lights) ns += m.nsPerLookup;
+  for (const truth::ShadowMeasure& m : e.lights) ns += m.nsPerLookup;
   return ns / static_cast<double>(std::max<std::size_t>(e.lights.size(), 1));
 }
 
@@ -48,14 +48,14 @@ constexpr int kNameColumn = 1;
 const Column kColumns[] = {
     {"", 60, nullptr, nullptr},
     {"Representation", 250, nullptr, nullptr},
-    {"mean |\xce\x94T|", 84, [](const view::ShootoutEntry& e) { return e.worst().error.mean; }, small},
-    {"95 %", 76, [](const view::ShootoutEntry& e) { return e.worst().error.p95; }, small},
-    {"max", 76, [](const view::ShootoutEntry& e) { return e.worst().error.maximum; }, small},
-    {"relMSE", 78, [](const view::ShootoutEntry& e) { return e.relMse; }, small},
-    {"build ms", 78, [](const view::ShootoutEntry& e) { return e.buildMs(); }, plain},
+    {"mean |\xce\x94T|", 84, [](const truth::ShootoutEntry& e) { return e.worst().error.mean; }, small},
+    {"95 %", 76, [](const truth::ShootoutEntry& e) { return e.worst().error.p95; }, small},
+    {"max", 76, [](const truth::ShootoutEntry& e) { return e.worst().error.maximum; }, small},
+    {"relMSE", 78, [](const truth::ShootoutEntry& e) { return e.relMse; }, small},
+    {"build ms", 78, [](const truth::ShootoutEntry& e) { return e.buildMs(); }, plain},
     {"ns/lookup", 82, lookups, plain},
-    {"bytes/texel", 90, [](const view::ShootoutEntry& e) { return e.worst().bytesPerTexel; }, plain},
-    {"MiB", 70, [](const view::ShootoutEntry& e) { return static_cast<double>(e.bytes()) / (1 << 20); },
+    {"bytes/texel", 90, [](const truth::ShootoutEntry& e) { return e.worst().bytesPerTexel; }, plain},
+    {"MiB", 70, [](const truth::ShootoutEntry& e) { return static_cast<double>(e.bytes()) / (1 << 20); },
      plain},
 };
 
@@ -79,7 +79,7 @@ double errorScale(const image::Image& truth) {
 }
 
 void takePictures(ShootoutPanel& panel) {
-  const std::vector<view::ShootoutEntry>& entries = panel.run->entries();
+  const std::vector<truth::ShootoutEntry>& entries = panel.run->entries();
   while (panel.pictures.size() < entries.size()) {
     const image::Image& own = entries[panel.pictures.size()].picture;
     const image::Image& truth = entries.front().picture;
@@ -93,7 +93,7 @@ void takePictures(ShootoutPanel& panel) {
       const double d = 0.2722287 * static_cast<double>(a[i] - b[i]) +
                        0.6740818 * static_cast<double>(a[i + 1] - b[i + 1]) +
                        0.0536895 * static_cast<double>(a[i + 2] - b[i + 2]);
-      const vec3 c = view::falseColour(d / scale);
+      const vec3 c = truth::falseColour(d / scale);
       for (int k = 0; k < 3; ++k) error[i + static_cast<std::size_t>(k)] = c[k];
     }
     out.picture = upload(own.size, a);
@@ -116,7 +116,7 @@ unsigned shown(const Session& session, const Clock& clock, Shown& shown, const L
   return texture ? *texture : 0;
 }
 
-void drawLarge(const LabRoom& room, const view::ShootoutEntry& e, std::size_t index) {
+void drawLarge(const LabRoom& room, const truth::ShootoutEntry& e, std::size_t index) {
   const Theme& theme = room.ui.theme;
   const ShootoutPanel::Pictures& p = room.lab.shootout.pictures[index];
   if (!p.picture) return;
@@ -128,12 +128,12 @@ void drawLarge(const LabRoom& room, const view::ShootoutEntry& e, std::size_t in
   ImGui::PopFont();
   if (const unsigned t = shown(room.session, room.clock, room.shown, room.lab, index, size, 1))
     ImGui::Image(textureId(t), box);
-  if (e.group != view::ShootoutGroup::Truth) {
+  if (e.group != truth::ShootoutGroup::Truth) {
     ImGui::SameLine();
     ImGui::Image(textureId(p.error.id()), box);
   }
   ImGui::PushFont(theme.small);
-  for (const view::ShadowMeasure& m : e.lights)
+  for (const truth::ShadowMeasure& m : e.lights)
     ImGui::TextDisabled("%s", fmt::format("{}{}, {} texels: mean {}, 95 % {}, max {}",
                                           e.lights.size() > 1 ? fmt::format("Light {}: ", m.light + 1) : "",
                                           shadow::describe(m.spec), shadow::resolutionOf(m.spec),
@@ -145,9 +145,10 @@ void drawLarge(const LabRoom& room, const view::ShootoutEntry& e, std::size_t in
 
 /// Entries in the order of the table: the truth first.
 std::vector<std::size_t> orderOf(const ShootoutPanel& panel) {
-  const std::vector<view::ShootoutEntry>& entries = panel.run->entries();
-  const view::ShootoutGroup wanted =
-      panel.show == ShootoutShow::Defaults ? view::ShootoutGroup::Defaults : view::ShootoutGroup::EqualMemory;
+  const std::vector<truth::ShootoutEntry>& entries = panel.run->entries();
+  const truth::ShootoutGroup wanted = panel.show == ShootoutShow::Defaults
+                                          ? truth::ShootoutGroup::Defaults
+                                          : truth::ShootoutGroup::EqualMemory;
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < std::min(entries.size(), panel.pictures.size()); ++i)
     if (entries[i].group == wanted) order.push_back(i);
@@ -160,15 +161,15 @@ std::vector<std::size_t> orderOf(const ShootoutPanel& panel) {
     };
     return panel.descending ? less(b, a) : less(a, b);
   });
-  if (!entries.empty() && entries.front().group == view::ShootoutGroup::Truth && !panel.pictures.empty())
+  if (!entries.empty() && entries.front().group == truth::ShootoutGroup::Truth && !panel.pictures.empty())
     order.insert(order.begin(), 0);
   return order;
 }
 
-void drawCells(const LabRoom& room, const view::ShootoutEntry& e, std::size_t index, float height,
+void drawCells(const LabRoom& room, const truth::ShootoutEntry& e, std::size_t index, float height,
                const std::vector<double>& best) {
   const Theme& theme = room.ui.theme;
-  const bool truth = e.group == view::ShootoutGroup::Truth;
+  const bool truth = e.group == truth::ShootoutGroup::Truth;
   ImGui::TableNextColumn();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float aspect =
@@ -240,12 +241,12 @@ void drawTable(const LabRoom& room, vec2 lo, vec2 hi) {
       panel.descending = sort->Specs[0].SortDirection == ImGuiSortDirection_Descending;
     sort->SpecsDirty = false;
   }
-  const std::vector<view::ShootoutEntry>& entries = panel.run->entries();
+  const std::vector<truth::ShootoutEntry>& entries = panel.run->entries();
   const std::vector<std::size_t> order = orderOf(panel);
   std::vector<double> best(std::size(kColumns), std::numeric_limits<double>::infinity());
   for (const std::size_t i : order)
     for (std::size_t c = kNameColumn + 1; c < std::size(kColumns); ++c)
-      if (entries[i].group != view::ShootoutGroup::Truth)
+      if (entries[i].group != truth::ShootoutGroup::Truth)
         best[c] = std::min(best[c], kColumns[c].value(entries[i]));
   const float height = theme.px(32);
   std::string names;
@@ -278,12 +279,12 @@ void startShootout(const Shown& shown, Lab& lab) {
   panel.error.clear();
   panel.pictures.clear();
   panel.fraction = 0;
-  view::ShootoutOptions options;
+  truth::ShootoutOptions options;
   const vec2 size(panel.scene->options.size);
   options.size = glm::max(ivec2(glm::round(size * (320 / size.x))), ivec2(8));
   options.points.count = 8000;
   if (shown.renderer.device().software) options.resolution = 256;
-  panel.run = std::make_unique<view::Shootout>(*panel.scene, options);
+  panel.run = std::make_unique<truth::Shootout>(*panel.scene, options);
   panel.running = true;
 }
 

@@ -25,7 +25,7 @@ constexpr auto enumInfo(ShootoutShow*) {
 }
 
 struct ShootoutPanel {
-  std::unique_ptr<view::Shootout> run;
+  std::unique_ptr<truth::Shootout> run;
   bool running = false;
   double fraction = 0;
   std::string error;

@@ -20,8 +20,8 @@
 namespace pileus::editor {
 namespace {
 
-using view::TuneBound;
-using view::TuneCandidate;
+using truth::TuneBound;
+using truth::TuneCandidate;
 
 std::vector<nodes::ShadowGroup> groupsOf(const Session& session, const Shown& shown) {
   const auto& picture = shown.preview.picture();
@@ -108,7 +108,7 @@ void drawCandidate(Ui& ui, Session& session, Lab& lab, vec2 at, float width) {
   const auto c = candidate(panel);
   if (!c) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const bool met = view::meets(*c, panel.goal);
+  const bool met = truth::meets(*c, panel.goal);
   const std::string head = panel.chosen    ? "Chosen"
                            : panel.running ? "Best so far"
                            : met           ? "Best"
@@ -148,7 +148,7 @@ std::string dotText(const TuneCandidate& c) {
 
 /// Ranges that hold all that was measured and the bound.
 Plot plotOf(const Theme& theme, const Lab& lab, vec2 lo, vec2 hi, const std::vector<TuneCandidate>& all) {
-  const view::TuneGoal& goal = lab.tune.goal;
+  const truth::TuneGoal& goal = lab.tune.goal;
   Plot plot;
   plot.draw = ImGui::GetWindowDrawList();
   plot.theme = &theme;
@@ -230,11 +230,11 @@ void startTune(const Session& session, const Shown& shown, Lab& lab) {
   panel.error.clear();
   panel.chosen.reset();
   panel.fraction = 0;
-  view::TuneOptions options;
+  truth::TuneOptions options;
   options.points.count = 6000;
   if (shown.renderer.device().software) options.maxResolution = 1024;
-  panel.run =
-      std::make_unique<view::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal, options);
+  panel.run = std::make_unique<truth::Tuner>(panel.tuned.casters, panel.tuned.nodes.front().spec, panel.goal,
+                                             options);
   panel.running = true;
 }
 

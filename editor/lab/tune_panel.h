@@ -16,10 +16,10 @@ struct Shown;
 struct Ui;
 
 struct TunePanel {
-  view::TuneGoal goal;
+  truth::TuneGoal goal;
   std::array<double, 3> limits{0.02, 5, 16};  ///< by bound: |dT|, ms, MiB
   std::size_t group = 0;                      ///< of the shadows that are tuned together
-  std::unique_ptr<view::Tuner> run;
+  std::unique_ptr<truth::Tuner> run;
   bool running = false;
   double fraction = 0;
   std::string error;

@@ -15,8 +15,8 @@
 #include "editor/parameters/grid_names.h"
 #include "editor/parameters/param_edit.h"
 #include "editor/parameters/param_help.h"
-#include "editor/toolkit/number_field.h"
 #include "editor/parameters/point_edit.h"
+#include "editor/toolkit/number_field.h"
 #include "editor/toolkit/pointer_rest.h"
 
 namespace pileus::editor {

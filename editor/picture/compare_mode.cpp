@@ -13,7 +13,7 @@ constexpr double kCoarsePixels = 10000;
 /// The small comparison runs beside the picture's refinement, the large one after it.
 constexpr double kCoarseSamples = 1;
 
-bool whole(const view::ComparePass* pass, CompareOf of) {
+bool whole(const truth::ComparePass* pass, CompareOf of) {
   return pass && (of == CompareOf::Radiance ? pass->pictureWhole() : pass->shadowWhole());
 }
 
@@ -58,12 +58,12 @@ bool hasShadow(const view::RenderScene& scene) {
 
 }  // namespace
 
-const view::ComparePass* CompareMode::shown() const {
+const truth::ComparePass* CompareMode::shown() const {
   if (whole(fine.get(), of)) return fine.get();
   return whole(coarse.get(), of) ? coarse.get() : nullptr;
 }
 
-const view::ComparePass* CompareMode::measured() const {
+const truth::ComparePass* CompareMode::measured() const {
   if (fine && fine->pictureWhole() && fine->shadowWhole()) return fine.get();
   return coarse && coarse->pictureWhole() ? coarse.get() : nullptr;
 }
@@ -80,7 +80,7 @@ void followPicture(Shown& shown) {
     mode.error = "No light of this picture has a shadow to compare.";
     return;
   }
-  mode.coarse = std::make_unique<view::ComparePass>(reduced(shown, *mode.scene));
+  mode.coarse = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene));
 }
 
 bool compareWantsFrame(const Shown& shown) {
@@ -95,15 +95,15 @@ void stepCompare(Messages& messages, Shown& shown, double ms) {
   CompareMode& mode = shown.compare;
   if (!compareWantsFrame(shown)) return;
   const bool small = mode.coarse->fraction() < 1;
-  if (!small && !mode.fine) mode.fine = std::make_unique<view::ComparePass>(*mode.scene);
-  view::ComparePass& pass = small ? *mode.coarse : *mode.fine;
+  if (!small && !mode.fine) mode.fine = std::make_unique<truth::ComparePass>(*mode.scene);
+  truth::ComparePass& pass = small ? *mode.coarse : *mode.fine;
   if (const Result<double> done = pass.step(shown.renderer.gpu(), ms); !done) {
     mode.error = done.error().message;
     messages.error("Cannot compare: " + mode.error);
     return;
   }
   if (mode.autoScale)
-    if (const view::ComparePass* m = mode.measured())
+    if (const truth::ComparePass* m = mode.measured())
       if (const double nice = niceAbove(m->figures().radiance.p95); nice > 0) mode.radianceScale = nice;
 }
 

@@ -47,16 +47,16 @@ struct CompareMode {
   bool autoScale = true;
 
   std::shared_ptr<const view::RenderScene> scene;  ///< what the passes below compare
-  std::unique_ptr<view::ComparePass> coarse, fine;
+  std::unique_ptr<truth::ComparePass> coarse, fine;
   std::string error;
 
-  view::CompareDisplay display;
+  truth::CompareDisplay display;
 
   /// What there is to show: the fine pass once it has a whole picture of what is asked for, else the coarse
   /// one; null while neither has.
-  const view::ComparePass* shown() const;
+  const truth::ComparePass* shown() const;
   /// The scene of a pass with every figure, else the best there is; null before the first.
-  const view::ComparePass* measured() const;
+  const truth::ComparePass* measured() const;
 };
 
 /// Follows the picture: starts over when it shows something else, drops everything where there is nothing to

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/picture/exporter.h"
 #include "editor/document/session.h"
+#include "editor/picture/exporter.h"
 #include "editor/picture/shown.h"
 #include "editor/status/log_panel.h"
 #include "editor/status/status_room.h"

@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "editor/document/session.h"
 #include "editor/exchange/messages.h"
 #include "editor/time/clock.h"
 #include "editor/time/playback.h"
 #include "editor/time/timeline_edits.h"
-#include "editor/document/session.h"
 #include "nodes/file/serialize.h"
 
 namespace pileus::editor {

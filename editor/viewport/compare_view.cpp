@@ -27,7 +27,7 @@ struct Sides {
   unsigned picture = 0, truth = 0;
 };
 
-unsigned drawn(Shown& shown, const view::ComparePass& pass, view::CompareDisplay::Show show, double scale,
+unsigned drawn(Shown& shown, const truth::ComparePass& pass, truth::CompareDisplay::Show show, double scale,
                int slot) {
   Result<unsigned> texture = shown.compare.display.draw(shown.renderer.shaders(), pass, show, scale, slot);
   if (texture) return *texture;
@@ -37,12 +37,12 @@ unsigned drawn(Shown& shown, const view::ComparePass& pass, view::CompareDisplay
 
 Sides sidesOf(Ui& ui, const Session& session, const Clock& clock, Shown& shown, ivec2 size) {
   const CompareMode& mode = shown.compare;
-  const view::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shown();
   if (mode.of == CompareOf::Radiance)
     return {shown.displayed.texture,
             pass ? displayTexture(ui.messages, session, clock, shown, pass->truth(), size, 1) : 0};
   if (!pass) return {};
-  using Show = view::CompareDisplay::Show;
+  using Show = truth::CompareDisplay::Show;
   return {drawn(shown, *pass, Show::MappedTransmittance, 1, 0),
           drawn(shown, *pass, Show::TrueTransmittance, 1, 1)};
 }
@@ -65,7 +65,7 @@ std::string pictureLabel(const CompareMode& mode) {
 }
 
 std::string truthLabel(const CompareMode& mode) {
-  const view::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shown();
   if (!pass) return "Ray marched, soon";
   if (pass == mode.coarse.get()) return "Ray marched, small";
   const int done = pass->truth()->samples, all = pass->scene().options.samples;
@@ -150,7 +150,7 @@ float drawLegend(Ui& ui, vec2 lo, vec2 hi, double scale) {
   drawText(draw, theme.small, {hi.x - leakWidth, middle}, palette::kTextDim, leak, leakWidth + 1);
   constexpr int kSteps = 75;
   for (int i = 0; i < kSteps; ++i) {
-    const vec3 c = 255.0f * view::falseColour(2.0 * (i + 0.5) / kSteps - 1);
+    const vec3 c = 255.0f * truth::falseColour(2.0 * (i + 0.5) / kSteps - 1);
     draw->AddRectFilled({at.x + width * static_cast<float>(i) / kSteps, at.y},
                         {at.x + width * static_cast<float>(i + 1) / kSteps, at.y + bar},
                         IM_COL32(static_cast<int>(c.r), static_cast<int>(c.g), static_cast<int>(c.b), 255));
@@ -170,10 +170,10 @@ float drawLegend(Ui& ui, vec2 lo, vec2 hi, double scale) {
 
 void drawError(Ui& ui, Shown& shown, vec2 lo, vec2 hi) {
   CompareMode& mode = shown.compare;
-  using Show = view::CompareDisplay::Show;
+  using Show = truth::CompareDisplay::Show;
   const bool radiance = mode.of == CompareOf::Radiance;
   const double scale = radiance ? mode.radianceScale : mode.shadowScale;
-  const view::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shown();
   const unsigned texture = pass ? drawn(shown, *pass,
                                         radiance     ? Show::RadianceError
                                         : mode.worst ? Show::WorstError
@@ -231,16 +231,16 @@ void drawCompareFigures(Ui& ui, const Shown& shown, vec2 lo, vec2 hi) {
   vec2 from(lo.x + theme.space(3), lo.y), to(hi.x - theme.space(3), hi.y);
   if (mode.layout == CompareLayout::Error)
     to.x -= drawLegend(ui, from, to, mode.of == CompareOf::Radiance ? mode.radianceScale : mode.shadowScale);
-  const view::ComparePass* pass = mode.measured();
+  const truth::ComparePass* pass = mode.measured();
   if (!pass) return;
-  const view::CompareFigures& f = pass->figures();
+  const truth::CompareFigures& f = pass->figures();
   const float y = std::round(0.5f * (lo.y + hi.y - theme.small->FontSize));
   const auto put = [&](const std::string& text, ImU32 ink, float after) {
     const float w = textWidth(theme.small, text);
     if (from.x + w <= to.x) drawText(draw, theme.small, {from.x, y}, ink, text, w + 1);
     from.x += w + after;
   };
-  const auto figures = [&](const std::string& head, const view::ErrorFigures& e, bool known) {
+  const auto figures = [&](const std::string& head, const truth::ErrorFigures& e, bool known) {
     put(head, palette::kText, theme.space(2));
     for (const auto& [name, value] :
          {std::pair("mean", e.mean), std::pair("95 %", e.p95), std::pair("max", e.maximum)}) {

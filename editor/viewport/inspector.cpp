@@ -42,7 +42,7 @@ std::array<Side, 2> sidesOf(const Shown& shown) {
   }
   if (!shown.compare.on) return sides;
   sides[0].name = "Picture";
-  if (const view::ComparePass* pass = shown.compare.shown()) sides[1] = {pass->truth(), "Truth"};
+  if (const truth::ComparePass* pass = shown.compare.shown()) sides[1] = {pass->truth(), "Truth"};
   return sides;
 }
 

@@ -23,7 +23,7 @@ std::vector<ShadowGroup> shadowGroups(const Graph& graph, const std::string& ren
                                    [&](const ShadowGroup& g) { return alike(g.nodes.front().spec, n.spec); });
     (same == groups.end() ? groups.emplace_back() : *same).nodes.push_back(n);
   }
-  for (const view::Caster& c : view::casters(scene)) {
+  for (const truth::Caster& c : truth::casters(scene)) {
     const auto& shadow = scene.lights[std::size_t(c.light)].shadow;
     for (ShadowGroup& g : groups)
       if (shadow && alike(g.nodes.front().spec, shadow->spec)) g.casters.push_back(c);

@@ -7,7 +7,7 @@ namespace pileus::nodes {
 
 struct ShadowGroup {
   std::vector<ShadowNodes> nodes;
-  std::vector<view::Caster> casters;  ///< never empty
+  std::vector<truth::Caster> casters;  ///< never empty
 };
 
 /// Of `renderNode` at `frame`, whose scene this is; ray marches are left out.

@@ -107,7 +107,8 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     content_ = content;
     shapes_ = 0;
     for (const volume::Instance& i : instances_)
-      shapes_ |= (i.shape == volume::Shape::Grid ? 1 : 2) | (tableOf(i) ? 4 : 0);
+      shapes_ |=
+          (i.shape == volume::Shape::Grid ? SHAPES_GRID : SHAPES_EXACT) | (tableOf(i) ? SHAPES_REMAPPED : 0);
     generation_ = ~std::uint64_t(0) - 1;
   }
   std::vector<volume::GridPtr> grids;

@@ -5,6 +5,7 @@
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shadow/new_map.h"
 
 namespace pileus::shadow {
 namespace {
@@ -21,14 +22,8 @@ double boundAfter(double errorBound, int doublings) {
 DeepShadowPass::DeepShadowPass(const ShadowSpec& spec, const scene::Light& light,
                                const volume::InstanceList& volumes, const scene::SolidList& solids,
                                const LightFrustum& frustum)
-    : map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, spec.resolution, 64) {
-  map_->kind = ShadowMap::Kind::Deep;
-  map_->light = light;
-  map_->volumes = pass_.volumes();
-  map_->solids = solids;
-  map_->spec = spec;
-  map_->frustum = frustum;
-}
+    : pass_(volumes, frustum, spec.resolution, 64),
+      map_(newMap(ShadowMap::Kind::Deep, spec, light, pass_.volumes(), solids, frustum)) {}
 
 Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
   const int filter = std::clamp(map_->spec.filter, 1, 4);
@@ -56,7 +51,6 @@ Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
 bool DeepShadowPass::overBudget() const {
   const ivec2 origin = pass_.regionOrigin(), size = pass_.regionEnd() - origin;
   std::vector<uvec4> counts(std::size_t(size.x) * std::size_t(size.y));
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   glGetTextureSubImage(counts_.id(), 0, origin.x, origin.y, 0, size.x, size.y, 1, GL_RGBA_INTEGER,
                        GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)), counts.data());
   return std::any_of(counts.begin(), counts.end(),
@@ -68,7 +62,6 @@ Result<void> DeepShadowPass::place(const Gpu& gpu) {
   const int edge = pass_.resolution(), stride = pass_.faceStride(), faces = map_->frustum.faces();
   const ivec2 tall = pass_.tallSize();
   std::vector<uvec4> counts(std::size_t(tall.x) * std::size_t(tall.y));
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   glGetTextureImage(counts_.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, GLsizei(counts.size() * sizeof(uvec4)),
                     counts.data());
   std::vector<uvec2> headers(std::size_t(edge) * std::size_t(edge) * std::size_t(faces));

@@ -33,8 +33,8 @@ class DeepShadowPass {
   Result<void> run(const Gpu& gpu, bool fill);
   bool overBudget() const;
   Result<void> place(const Gpu& gpu);
-  std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
+  std::shared_ptr<ShadowMap> map_;
   std::optional<OrderedMarch> march_;
   gl::Texture counts_;
   DeepStatistics statistics_;

@@ -6,6 +6,7 @@
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/resume.h"
 #include "renderer/shadow/additive_target.h"
+#include "renderer/shadow/new_map.h"
 
 namespace pileus::shadow {
 namespace {
@@ -17,14 +18,11 @@ constexpr int kSoftwareEdge = 64;  // of a region
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,
                                const volume::InstanceList& volumes, const LightFrustum& frustum)
     : options_(options),
-      map_(std::make_shared<ShadowMap>()),
-      pass_(volumes, frustum, options.resolution, kSoftwareEdge) {
-  map_->light = light;
-  map_->volumes = pass_.volumes();
+      pass_(volumes, frustum, options.resolution, kSoftwareEdge),
+      map_(newMap(ShadowMap::Kind::Extinction, {}, light, pass_.volumes(), {}, frustum)) {
   map_->basis = options.basis == Basis::Piecewise ? Basis::Cosine : options.basis;  // no intervals
   map_->coefficients = options.coefficients;
   map_->storage = options.storage;
-  map_->frustum = frustum;
   map_->spec.extinction = options;
   map_->spec.metric.metric = Metric::None;
 }
@@ -94,10 +92,10 @@ gl::Defines ExtinctionPass::defines() const {
           {"BASIS", r.shadow.y},
           {"BASIS_FLOATS", options_.coefficients},
           {"COEFFICIENTS", options_.coefficients},
-          {"STORES", hasMetric ? 1 << r.metric.kind.x : 1},
+          {"STORES", 1 << (hasMetric ? r.metric.kind.x : STORE_FLOAT)},
           {"STORE", r.coefficients.kind.x},
-          {"WEIGHTS", r.solids.z & 1},
-          {"HORIZON", (r.solids.z >> 1) & 1},
+          {"WEIGHTS", (r.solids.z & LIGHT_HAS_WEIGHTS) != 0},
+          {"HORIZON", (r.solids.z & LIGHT_HAS_HORIZON) != 0},
           {"DAMPING", options_.damping},
           {"PERSPECTIVE", map_->frustum.perspective()},
           {"SHAPES", pass_.shapes()}};
@@ -131,7 +129,6 @@ Result<void> ExtinctionPass::gather(const Gpu& gpu) {
   for (int i = 0; i < batches; ++i) {
     if (volumes > 0) program->set("batch", ivec2(i, volumes));
     pass_.dispatch(gpu, *program);
-    if (volumes > 0) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
   return {};
 }

@@ -33,8 +33,8 @@ class ExtinctionPass {
   bool splats() const { return options_.accumulation == Accumulation::Splat; }
 
   ExtinctionOptions options_;
-  std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
+  std::shared_ptr<ShadowMap> map_;
   gl::Buffer sums_{"extinction sums"};          ///< of a region's texels, between batches
   int splatted_ = 0;                            ///< volumes drawn so far
   std::vector<residency::PixelBounds> bounds_;  ///< of all volumes on the map, for splatting

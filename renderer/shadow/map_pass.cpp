@@ -81,12 +81,12 @@ MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustu
       softwareEdge_(softwareEdge) {}
 
 Result<double> MapPass::prepare(const Gpu& gpu, double ms) {
-  PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, volumes_, ms));
+  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, volumes_, ms));
   if (residency.fraction < 1) return residency.fraction;
   if (!ready_) {
-    tiles_.build(tallSize(), mapBounds(set_.instances(), frustum_, resolution_, faceStride()),
-                 std::max(int(volumes_.size()), 1));
-    cursor_ = gl::RegionCursor(tallSize(), gpu.device, softwareEdge_);
+    run_.list(tallSize(), mapBounds(run_.volumes(), frustum_, resolution_, faceStride()),
+              std::max(int(volumes_.size()), 1));
+    run_.cursor = gl::RegionCursor(tallSize(), gpu.device, softwareEdge_);
     ready_ = true;
   }
   return 1.0;
@@ -100,12 +100,10 @@ void MapPass::bindLight(const ShadowMap& map) {
 }
 
 void MapPass::bind(const Gpu& gpu, gl::Program& program) {
-  program.use();
-  set_.bind(gpu.bricks, program);
-  tiles_.bind(program);
+  run_.bind(gpu.bricks, program);
   gpu.store.bind();
-  program.set("regionOrigin", cursor_.origin());
-  program.set("regionEnd", cursor_.end());
+  program.set("regionOrigin", run_.cursor.origin());
+  program.set("regionEnd", run_.cursor.end());
   program.set("faceStride", frustum_.faces() == 1 ? 1 << 20 : faceStride());
   program.set("mapEdge", resolution_);
   // A texel's width: constant for a sun, growing from the light otherwise.
@@ -115,12 +113,7 @@ void MapPass::bind(const Gpu& gpu, gl::Program& program) {
 
 void MapPass::dispatch(const Gpu& gpu, gl::Program& program) {
   bind(gpu, program);
-  const ivec2 groups = (cursor_.end() - cursor_.origin() + 7) / 8;
-  timer_.begin();
-  glDispatchCompute(GLuint(groups.x), GLuint(groups.y), 1);
-  timer_.end();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  glFinish();
+  run_.dispatch(program);
 }
 
 }  // namespace pileus::shadow

@@ -2,10 +2,7 @@
 // What every pass that fills a light's map shares: resident volumes, lists of volumes per tile, the light's
 // record, and the walk over the map in regions. A point light's six faces stand one below the other in one
 // tall map. GL thread.
-#include "renderer/gl/gpu_timer.h"
-#include "renderer/gl/region_cursor.h"
-#include "renderer/residency/tile_lists.h"
-#include "renderer/residency/volume_set.h"
+#include "renderer/residency/region_run.h"
 #include "renderer/shadow/gpu.h"
 #include "renderer/shadow/light_frustum.h"
 
@@ -27,16 +24,20 @@ class MapPass {
   void dispatch(const Gpu& gpu, gl::Program& program);
   /// The same bindings without a dispatch, for passes that draw.
   void bind(const Gpu& gpu, gl::Program& program);
-  bool done() const { return cursor_.done(); }
-  void next() { ++cursor_.next; }
-  void restart() { cursor_.next = 0; }
-  void finish() { cursor_.next = cursor_.count(); }
-  double fraction() const { return double(cursor_.next) / cursor_.count(); }
-  ivec2 regionOrigin() const { return cursor_.origin(); }  ///< in the tall map, of the region at the cursor
-  ivec2 regionEnd() const { return cursor_.end(); }
-  ivec2 regionSize() const { return ivec2((cursor_.edge + 7) / 8 * 8); }  ///< threads of the largest dispatch
-  double takeGpuMs() { return timer_.takeMs(); }
-  gl::GpuTimer& timer() { return timer_; }
+  bool done() const { return run_.cursor.done(); }
+  void next() { ++run_.cursor.next; }
+  void restart() { run_.cursor.next = 0; }
+  void finish() { run_.cursor.next = run_.cursor.count(); }
+  double fraction() const { return double(run_.cursor.next) / run_.cursor.count(); }
+  ivec2 regionOrigin() const {
+    return run_.cursor.origin();
+  }  ///< in the tall map, of the region at the cursor
+  ivec2 regionEnd() const { return run_.cursor.end(); }
+  ivec2 regionSize() const {
+    return ivec2((run_.cursor.edge + 7) / 8 * 8);
+  }  ///< threads of the largest dispatch
+  double takeGpuMs() { return run_.takeGpuMs(); }
+  gl::GpuTimer& timer() { return run_.timer(); }
 
   const volume::InstanceList& volumes() const { return volumes_; }  ///< canonical
   const LightFrustum& frustum() const { return frustum_; }
@@ -47,18 +48,17 @@ class MapPass {
   ivec2 tallSize() const {
     return {resolution_, frustum_.faces() == 1 ? resolution_ : faceStride() * frustum_.faces()};
   }
-  int shapes() const { return set_.shapes(); }
-  int longestList() const { return tiles_.longest(); }
+  int shapes() const { return run_.shapes(); }
+  int longestList() const { return run_.longestList(); }
+  /// Variant constants of lib/stretch.glsl.
+  gl::Defines defines() const { return run_.defines(); }
 
  private:
   volume::InstanceList volumes_;
   LightFrustum frustum_;
   int resolution_, softwareEdge_;
-  residency::VolumeSet set_;
-  residency::TileLists tiles_;
+  residency::RegionRun run_;
   gl::Buffer record_{"light record"};
-  gl::RegionCursor cursor_;
-  gl::GpuTimer timer_;
   bool ready_ = false;
 };
 

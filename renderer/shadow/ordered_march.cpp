@@ -8,7 +8,6 @@
 namespace pileus::shadow {
 namespace {
 
-constexpr int kInRegisters = 4;  ///< volumes of an overlap; the rest is visited one by one at each step
 constexpr double kOneDispatch = 20000;  ///< loop iterations, with room for lanes that wait for each other
 
 /// Loop iterations of a whole light ray at most.
@@ -18,7 +17,7 @@ double iterations(const MapPass& pass, int halves) {
   const double list = pass.longestList();
   const double steps =
       std::min(list * mostSteps(pass.volumes()), pass.frustum().depth() / finest) * 2 / halves;
-  return steps * (1 + std::max(list - kInRegisters, 0.0)) + (2 * list + 1) * list;
+  return steps * (1 + std::max(list - residency::kInRegisters, 0.0)) + (2 * list + 1) * list;
 }
 
 }  // namespace
@@ -26,11 +25,8 @@ double iterations(const MapPass& pass, int halves) {
 OrderedMarch::OrderedMarch(const Gpu& gpu, const MapPass& pass, int halves, int floats) {
   if (gpu.device.software && !pass.volumes().empty())
     windows_ = std::clamp(int(std::ceil(iterations(pass, halves) / kOneDispatch)), 1, 4096);
-  defines_ = {{"SHAPES", pass.shapes()},
-              {"ACTIVE", std::clamp(pass.longestList(), 1, kInRegisters)},
-              {"OVERFLOW", pass.longestList() > kInRegisters},
-              {"STEP_HALVES", halves},
-              {"WINDOWED", windows_ > 1}};
+  defines_ = pass.defines();
+  defines_.insert(defines_.end(), {{"STEP_HALVES", halves}, {"WINDOWED", windows_ > 1}});
   const ivec2 region = pass.regionSize();
   if (windows_ > 1)
     states_.reserve(std::size_t(region.x) * std::size_t(region.y) * std::size_t(floats) * sizeof(float));
@@ -44,7 +40,6 @@ void OrderedMarch::run(const Gpu& gpu, MapPass& pass, gl::Program& program) {
   for (int w = 0; w < windows_; ++w) {
     program.set("window", ivec2(w, windows_));
     pass.dispatch(gpu, program);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
 }
 

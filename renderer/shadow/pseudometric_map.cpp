@@ -66,14 +66,15 @@ Result<void> PseudometricPass::dispatchIntervals(const Gpu& gpu) {
   const ShadowBlock& block = *map_->block;
   const MetricOptions& o = map_->options;
   const bool probes = map_->weights || o.horizon > 0;
-  PILEUS_TRY(gl::Program * program,
-             gpu.shaders.program({"shadow/interval_map.comp.glsl"},
-                                 {{"INTERVALS", o.intervals},
-                                  {"STORE", int(block.texels())},
-                                  {"SHAPES", pass_.shapes()},
-                                  {"BRICKS", o.coverage == Coverage::Bricks && (pass_.shapes() & 1)},
-                                  {"PROBES", probes ? kProbes : 0},
-                                  {"WEIGHTS", map_->weights != nullptr}}));
+  PILEUS_TRY(
+      gl::Program * program,
+      gpu.shaders.program({"shadow/interval_map.comp.glsl"},
+                          {{"INTERVALS", o.intervals},
+                           {"STORE", int(block.texels())},
+                           {"SHAPES", pass_.shapes()},
+                           {"BRICKS", o.coverage == Coverage::Bricks && (pass_.shapes() & SHAPES_GRID)},
+                           {"PROBES", probes ? kProbes : 0},
+                           {"WEIGHTS", map_->weights != nullptr}}));
   glBindImageTexture(IMAGE_TARGET, block.texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY, block.format());
   if (map_->weights)
     glBindImageTexture(IMAGE_TARGET + 1, map_->weights->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,

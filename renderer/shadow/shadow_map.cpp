@@ -88,8 +88,9 @@ gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) 
     const MetricOptions& o = shadow->metric->options;
     r.items.x = metric == Metric::Interval ? o.intervals : o.coefficients;
     r.metric = shadow->metric->block->record();
-    if (const auto& weights = shadow->metric->weights) r.weights = weights->record().place, r.solids.z |= 1;
-    if (metric == Metric::Interval && o.horizon > 0) r.solids.z |= 2;
+    if (const auto& weights = shadow->metric->weights)
+      r.weights = weights->record().place, r.solids.z |= LIGHT_HAS_WEIGHTS;
+    if (metric == Metric::Interval && o.horizon > 0) r.solids.z |= LIGHT_HAS_HORIZON;
   }
   if (shadow->block) r.coefficients = shadow->block->record();
   if (shadow->horizon) r.horizon = shadow->horizon->record().place;
@@ -106,25 +107,16 @@ gl::Defines lookupDefines(std::span<const ShadowedLight> lights) {
       common;  // kind, metric, its count, basis, coefficients, stores of the mapped lights
   bool uniform = true;
   for (const ShadowedLight& l : lights) {
-    if (!l.shadow) {
-      kinds |= 1;
-      continue;
-    }
-    if (l.shadow->kind == ShadowMap::Kind::RayMarch) {
-      kinds |= 4;
-      continue;
-    }
+    kinds |= 1 << (l.shadow ? kindCode(l.shadow->kind) : SHADOW_NONE);
+    if (!l.shadow || l.shadow->kind == ShadowMap::Kind::RayMarch) continue;
     const gpu::LightRecord r = makeRecord(l.light, l.shadow.get());
-    kinds |= l.shadow->kind == ShadowMap::Kind::Extinction              ? 2
-             : l.shadow->kind == ShadowMap::Kind::TransmittanceFunction ? 8
-                                                                        : 16;
     const std::array<int, 7> choice{r.shadow.x,      r.shadow.w,           r.items.x, r.shadow.y, r.shadow.z,
                                     r.metric.kind.x, r.coefficients.kind.x};
     uniform = uniform && (!common || *common == choice);
     common = choice;
     if (l.shadow->kind == ShadowMap::Kind::Extinction) bases |= 1 << r.shadow.y;
-    weights |= r.solids.z & 1;
-    horizon |= (r.solids.z >> 1) & 1;
+    weights |= (r.solids.z & LIGHT_HAS_WEIGHTS) != 0;
+    horizon |= (r.solids.z & LIGHT_HAS_HORIZON) != 0;
     if (l.shadow->kind == ShadowMap::Kind::Deep) continue;
     basis = std::max(basis, l.shadow->coefficients);
     stores |= 1 << r.coefficients.kind.x;

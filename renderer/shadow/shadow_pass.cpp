@@ -4,6 +4,7 @@
 
 #include "renderer/shadow/deep_shadow_map.h"
 #include "renderer/shadow/extinction_map.h"
+#include "renderer/shadow/new_map.h"
 #include "renderer/shadow/transmittance_map.h"
 
 namespace pileus::shadow {
@@ -122,13 +123,11 @@ std::optional<DeepStatistics> ShadowPass::deepStatistics() const {
 
 std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const volume::InstanceList& volumes,
                                                const scene::SolidList& solids, double stepScale) {
-  auto map = std::make_shared<ShadowMap>();
-  map->kind = ShadowMap::Kind::RayMarch;
-  map->light = light;
-  map->volumes = volumes;
-  map->solids = solids;
-  map->spec.kind = ShadowSpec::Kind::RayMarch;
-  map->spec.stepScale = map->stepScale = stepScale;
+  ShadowSpec spec;
+  spec.kind = ShadowSpec::Kind::RayMarch;
+  spec.stepScale = stepScale;
+  auto map = newMap(ShadowMap::Kind::RayMarch, spec, light, volumes, solids);
+  map->stepScale = stepScale;
   return map;
 }
 

@@ -2,22 +2,18 @@
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shadow/new_map.h"
 
 namespace pileus::shadow {
 
 TransmittancePass::TransmittancePass(const ShadowSpec& spec, const scene::Light& light,
                                      const volume::InstanceList& volumes, const scene::SolidList& solids,
                                      const LightFrustum& frustum)
-    : map_(std::make_shared<ShadowMap>()), pass_(volumes, frustum, spec.resolution, 64) {
-  map_->kind = ShadowMap::Kind::TransmittanceFunction;
-  map_->light = light;
-  map_->volumes = pass_.volumes();
-  map_->solids = solids;
-  map_->spec = spec;
+    : pass_(volumes, frustum, spec.resolution, 64),
+      map_(newMap(ShadowMap::Kind::TransmittanceFunction, spec, light, pass_.volumes(), solids, frustum)) {
   map_->basis = spec.basis;
   map_->coefficients = spec.coefficients;
   map_->storage = spec.storage;
-  map_->frustum = frustum;
 }
 
 Result<double> TransmittancePass::step(const Gpu& gpu, double ms) {

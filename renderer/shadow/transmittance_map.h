@@ -20,8 +20,8 @@ class TransmittancePass {
   double takeGpuMs() { return pass_.takeGpuMs(); }
 
  private:
-  std::shared_ptr<ShadowMap> map_;
   MapPass pass_;
+  std::shared_ptr<ShadowMap> map_;
   std::optional<OrderedMarch> march_;
 };
 

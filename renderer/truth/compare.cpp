@@ -8,16 +8,16 @@
 #include "renderer/shaders/shared/compare.h"
 #include "renderer/shadow/shadow_pass.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
-RenderScene truthOf(const RenderScene& scene, double stepScale) {
-  RenderScene out = scene;
+view::RenderScene truthOf(const view::RenderScene& scene, double stepScale) {
+  view::RenderScene out = scene;
   for (shadow::ShadowedLight& l : out.lights)
     if (l.shadow) l.shadow = shadow::marchedShadow(l.light, l.shadow->volumes, l.shadow->solids, stepScale);
   return out;
 }
 
-ComparePass::ComparePass(const RenderScene& scene)
+ComparePass::ComparePass(const view::RenderScene& scene)
     : scene_(scene), mapped_(scene), truth_(truthOf(scene)), error_(scene, truthOf(scene)) {}
 
 Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
@@ -49,8 +49,8 @@ Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
 }
 
 Result<void> ComparePass::measureRadiance() {
-  PILEUS_TRY(const image::Image a, readBack(*mapped()));
-  PILEUS_TRY(const image::Image b, readBack(*truth()));
+  PILEUS_TRY(const image::Image a, view::readBack(*mapped()));
+  PILEUS_TRY(const image::Image b, view::readBack(*truth()));
   PILEUS_TRY(const image::Difference difference, image::compare(a, b));
   const std::vector<float>& p = a.layers[0].pixels;
   const std::vector<float>& q = b.layers[0].pixels;
@@ -108,7 +108,7 @@ Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const CompareP
     target.filter(GL_LINEAR);
     target.wrap(GL_CLAMP_TO_EDGE);
   }
-  PILEUS_TRY(gl::Program * program, shaders.program({"view/compare.comp.glsl"}));
+  PILEUS_TRY(gl::Program * program, shaders.program({"truth/compare.comp.glsl"}));
   program->use();
   program->set("size", size);
   program->set("show", static_cast<int>(show));
@@ -124,4 +124,4 @@ Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const CompareP
   return target.id();
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

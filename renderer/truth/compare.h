@@ -8,7 +8,7 @@
 #include "renderer/truth/shadow_error.h"
 #include "renderer/view/volume_render.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 /// Of |difference|.
 struct ErrorFigures {
@@ -27,28 +27,28 @@ struct CompareFigures {
 };
 
 /// The scene with every shadow replaced by a march through its volumes, steps of `stepScale` voxels.
-RenderScene truthOf(const RenderScene& scene, double stepScale = 0.5);
+view::RenderScene truthOf(const view::RenderScene& scene, double stepScale = 0.5);
 
 class ComparePass {
  public:
-  explicit ComparePass(const RenderScene& scene);
+  explicit ComparePass(const view::RenderScene& scene);
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   double fraction() const { return fraction_; }
   /// Null until their first region is drawn; improving until step() said 1.
-  std::shared_ptr<const Picture> mapped() const { return mapped_.picture(); }
-  std::shared_ptr<const Picture> truth() const { return truth_.picture(); }
+  std::shared_ptr<const view::Picture> mapped() const { return mapped_.picture(); }
+  std::shared_ptr<const view::Picture> truth() const { return truth_.picture(); }
   /// Whole passes over the picture: then nothing of it is missing.
   bool pictureWhole() const { return truth() && truth()->samples > 0; }
   bool shadowWhole() const { return error_.fraction() >= 1; }
   const ShadowErrorPass& shadowError() const { return error_; }
   const CompareFigures& figures() const { return figures_; }
-  const RenderScene& scene() const { return scene_; }
+  const view::RenderScene& scene() const { return scene_; }
 
  private:
   Result<void> measureRadiance();
-  RenderScene scene_;
-  VolumeRenderPass mapped_, truth_;
+  view::RenderScene scene_;
+  view::VolumeRenderPass mapped_, truth_;
   ShadowErrorPass error_;
   CompareFigures figures_;
   double pictureFraction_ = 0, fraction_ = 0;
@@ -73,4 +73,4 @@ class CompareDisplay {
   gl::Texture colours_;
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -5,7 +5,7 @@
 
 #include "renderer/truth/compare.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 using image::Canvas;
@@ -174,4 +174,4 @@ Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries,
   return canvas;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -6,7 +6,7 @@
 #include "renderer/image/text.h"
 #include "renderer/truth/shootout.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 struct SheetOptions {
   std::string title, subtitle;
@@ -23,4 +23,4 @@ Result<image::Canvas> contactSheet(const std::vector<ShootoutEntry>& entries,
 /// `v` in [-1, 1] -> blue, near black, red; clamped. Display-referred.
 vec3 signedColor(double v);
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -4,7 +4,7 @@
 
 #include "renderer/truth/ray_probe.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 using Weight = RayFlag::Weight;
@@ -105,4 +105,4 @@ std::vector<RayFlag> rayFlags(const RayProbe& p) {
   return out;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

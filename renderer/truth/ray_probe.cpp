@@ -7,7 +7,7 @@
 #include "renderer/shadow/reference.h"
 #include "renderer/truth/shadow_probe.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 using shadow::ShadowMap;
@@ -189,4 +189,4 @@ ExtinctionOverU extinctionOverU(const RayProbe& probe, std::span<const char> mut
   return out;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -7,7 +7,7 @@
 #include "renderer/shadow/gpu.h"
 #include "renderer/shadow/map_taps.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 /// A part of the ray inside a volume; x as everywhere.
 struct RayPart {
@@ -59,4 +59,4 @@ struct RayFlag {
 };
 std::vector<RayFlag> rayFlags(const RayProbe& probe);
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -6,19 +6,17 @@
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/compare.h"
-#include "renderer/view/camera_rays.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 constexpr int kRows = 16;         // of a region
 constexpr double kRegionMs = 12;  // wanted: a dispatch cannot be interrupted
-constexpr int kInRegisters = 4;   // volumes of an overlap
 constexpr int kPairs = MAX_LIGHTS / 2;
 
 }  // namespace
 
-ShadowErrorPass::ShadowErrorPass(const RenderScene& scene, const RenderScene& truth)
+ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth)
     : options_(scene.options) {
   std::vector<shadow::ShadowedLight> pairs;
   const auto close = [&] {
@@ -40,14 +38,10 @@ void ShadowErrorPass::start(const gl::DeviceInfo& device) {
     t->clear();
     t->filter(GL_NEAREST);
   }
-  // The drawn volumes are the same, and first, in every group.
-  const LightSet& any = groups_.front();
-  const auto drawn = std::span(any.volumes()).first(any.drawnVolumes());
-  const std::vector<residency::PixelBounds> bounds = pixelBounds(drawn, options_);
-  tiles_.build(options_.size, bounds);
+  march_.list(options_, groups_.front());
   budgets_.resize(groups_.size());
   for (std::size_t i = 0; i < groups_.size(); ++i)
-    budgets_[i].plan(marchCost(options_, drawn, bounds, tiles_.longest(), groups_[i]), device, pauseAfter_);
+    march_.plan(budgets_[i], options_, groups_[i], device, pauseAfter_);
   const std::vector<unsigned> zero(ERROR_BINS, 0u);
   bins_.assign(std::span<const unsigned>(zero));
 }
@@ -59,11 +53,11 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
     const ivec2 from = next_, to = glm::min(from + ivec2(width_, kRows), options_.size);
     const Stopwatch region;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      LightSet& group = groups_[i];
-      PILEUS_TRY(const residency::Residency residency, set_.prepare(gpu.bricks, group.volumes(), ms));
+      view::LightSet& group = groups_[i];
+      PILEUS_TRY(const residency::Residency residency, march_.prepare(gpu, group, ms));
       if (residency.fraction < 1) return fraction_;
       if (!errors_) start(gpu.device);
-      PILEUS_CHECK(dispatch(gpu, group, budgets_[i], from, to));
+      PILEUS_CHECK(draw(gpu, group, budgets_[i], from, to));
     }
     collect(from, to);
     const double took = region.ms();
@@ -78,36 +72,17 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
   return fraction_;
 }
 
-Result<void> ShadowErrorPass::dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget,
-                                       ivec2 from, ivec2 to) {
-  gl::Defines defines = lights.defines();
-  const bool solids = lights.drawnSolids() > 0;
-  defines.insert(defines.end(), {{"SHAPES", set_.shapes()},
-                                 {"ACTIVE", std::clamp(tiles_.longest(), 1, kInRegisters)},
-                                 {"OVERFLOW", tiles_.longest() > kInRegisters},
-                                 {"SOLIDS", solids},
-                                 {"RESUME", budget.resumes()}});
-  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/shadow_error.comp.glsl"}, defines));
-  program->use();
-  set_.bind(gpu.bricks, *program);
-  tiles_.bind(*program);
+Result<void> ShadowErrorPass::draw(const shadow::Gpu& gpu, view::LightSet& lights,
+                                   residency::MarchBudget& budget, ivec2 from, ivec2 to) {
+  PILEUS_TRY(gl::Program * program,
+             march_.bind(gpu, "truth/shadow_error.comp.glsl", options_, lights, budget));
   lights.bind(gpu.store);
-  setCameraRays(*program, options_);
   program->set("pairCount", static_cast<int>(lights.lights().size() / 2));
-  program->set("solidCount", static_cast<int>(lights.drawnSolids()));
-  program->set("regionOrigin", from);
-  program->set("regionEnd", to);
   bins_.bindStorage(BIND_ERROR_BINS);
   glBindImageTexture(IMAGE_ERROR, errors_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glBindImageTexture(IMAGE_TRANSMITTANCE, transmittances_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  const ivec2 groups = (to - from + 7) / 8;
-  do {
-    if (budget.resumes()) budget.bind(*program, (to.x - from.x) * (to.y - from.y));
-    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                    GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                    GL_BUFFER_UPDATE_BARRIER_BIT);
-  } while (budget.resumes() && budget.unfinished() > 0);
+  while (!march_.run.dispatch(*program, from, to, &budget)) {
+  }
   return {};
 }
 
@@ -152,4 +127,4 @@ double ShadowErrorPass::quantile(double q) const {
   return maximum_;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

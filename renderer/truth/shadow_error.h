@@ -5,21 +5,16 @@
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/texture.h"
-#include "renderer/residency/tile_lists.h"
-#include "renderer/residency/volume_set.h"
-#include "renderer/shadow/gpu.h"
-#include "renderer/view/light_set.h"
-#include "renderer/view/march_budget.h"
-#include "renderer/view/render_scene.h"
+#include "renderer/view/camera_march.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 class ShadowErrorPass {
  public:
   /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
-  ShadowErrorPass(const RenderScene& scene, const RenderScene& truth);
+  ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth);
   /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
-  /// MarchBudget::kNever); before the first step.
+  /// residency::MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
@@ -36,20 +31,20 @@ class ShadowErrorPass {
   }  ///< mean of the pixels' max(dT, 0), each counted by what is seen
   double dark() const { return seen_ > 0 ? dark_ / seen_ : 0; }
 
-  /// RGBA32F, as in view/shadow_error.comp.glsl; no texture before the first region.
+  /// RGBA32F, as in truth/shadow_error.comp.glsl; no texture before the first region.
   const gl::Texture& errors() const { return errors_; }
   const gl::Texture& transmittances() const { return transmittances_; }
 
  private:
   void start(const gl::DeviceInfo& device);
-  Result<void> dispatch(const shadow::Gpu& gpu, LightSet& lights, MarchBudget& budget, ivec2 from, ivec2 to);
+  Result<void> draw(const shadow::Gpu& gpu, view::LightSet& lights, residency::MarchBudget& budget,
+                    ivec2 from, ivec2 to);
   void collect(ivec2 from, ivec2 to);
-  RenderOptions options_;
-  std::vector<LightSet> groups_;      ///< pairs of lights, as many as one dispatch may hold
-  std::vector<MarchBudget> budgets_;  ///< of each group
+  view::RenderOptions options_;
+  std::vector<view::LightSet> groups_;           ///< pairs of lights, as many as one dispatch may hold
+  std::vector<residency::MarchBudget> budgets_;  ///< of each group
   int pauseAfter_ = 0;
-  residency::VolumeSet set_;
-  residency::TileLists tiles_;
+  view::CameraMarch march_;
   gl::Texture errors_, transmittances_;
   gl::Buffer bins_{"error bins"};
   ivec2 next_{0};   ///< first pixel of the next region
@@ -58,4 +53,4 @@ class ShadowErrorPass {
   double sum_ = 0, samples_ = 0, maximum_ = 0, leak_ = 0, dark_ = 0, seen_ = 0;
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -6,7 +6,7 @@
 
 #include "renderer/base/profile.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 constexpr int kBuilds = 3;
@@ -15,7 +15,7 @@ constexpr double kOnceMs = 5000,
 
 }  // namespace
 
-std::vector<Caster> casters(const RenderScene& scene) {
+std::vector<Caster> casters(const view::RenderScene& scene) {
   std::vector<Caster> out;
   for (const shadow::ShadowedLight& l : scene.lights)
     out.push_back({int(out.size()), l.light, l.shadow ? l.shadow->volumes : scene.volumes,
@@ -92,4 +92,4 @@ Result<double> MeasurePass::step(const shadow::Gpu& gpu, double ms) {
   return 1.0;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

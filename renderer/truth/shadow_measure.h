@@ -8,7 +8,7 @@
 #include "renderer/truth/shadow_probe.h"
 #include "renderer/view/render_scene.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 /// A light and what throws its shadow.
 struct Caster {
@@ -17,7 +17,7 @@ struct Caster {
   volume::InstanceList volumes;  ///< of its shadow where it has one, else the scene's
   scene::SolidList solids;
 };
-std::vector<Caster> casters(const RenderScene& scene);
+std::vector<Caster> casters(const view::RenderScene& scene);
 
 /// Samples of each caster, in their order, taken in the background. The Error names the light by its number,
 /// from 1.
@@ -64,4 +64,4 @@ class MeasurePass {
   std::shared_ptr<const shadow::ShadowMap> map_;
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -8,7 +8,7 @@
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/view/light_set.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 constexpr int kGroup = 64;
@@ -92,7 +92,7 @@ class Lookups {
     in_.assign(positions);
     out_.reserve(std::max<std::size_t>(positions.size(), 1) * sizeof(float));
   }
-  LightSet lights_;
+  view::LightSet lights_;
   residency::VolumeSet volumes_;
   gl::Program* program_ = nullptr;
   gl::Buffer in_{"lookup positions"}, out_{"lookup results"};
@@ -136,4 +136,4 @@ Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, 
   return r;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

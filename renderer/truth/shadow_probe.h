@@ -7,7 +7,7 @@
 #include "renderer/shadow/shadow_map.h"
 #include "renderer/truth/shadow_samples.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 /// Of dT = T of the map - true T, over the points.
 struct ShadowError {
@@ -32,4 +32,4 @@ struct ProbeResult {
 Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples,
                           int dispatches = 5);
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

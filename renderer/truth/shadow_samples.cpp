@@ -11,7 +11,7 @@
 #include "renderer/shadow/light_frustum.h"
 #include "renderer/shadow/reference.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 constexpr int kRound = 2048;      ///< points tried between two looks at the clock
@@ -182,4 +182,4 @@ Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::Inst
   return samples;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -8,7 +8,7 @@
 #include "renderer/scene/light.h"
 #include "renderer/volume/instance.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 struct ShadowSamples {
   std::vector<vec4> positions;        ///< world, in metres; w is 0
@@ -29,4 +29,4 @@ struct SampleOptions {
 Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::InstanceList& volumes,
                                    const SampleOptions& options, JobControl& control);
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -7,7 +7,7 @@
 #include "renderer/image/metrics.h"
 #include "renderer/view/volume_render.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 using shadow::ShadowSpec;
@@ -89,7 +89,7 @@ std::size_t ShootoutEntry::bytes() const {
 }
 
 struct Shootout::Impl {
-  RenderScene scene;
+  view::RenderScene scene;
   ShootoutOptions options;
   std::vector<Caster> casters;
   std::vector<Task> tasks;
@@ -103,7 +103,7 @@ struct Shootout::Impl {
   std::unique_ptr<shadow::ShadowPass> fit;  ///< looks for the resolution that meets the bytes
   int fitResolution = 0, fits = 0;
   std::unique_ptr<MeasurePass> measuring;
-  std::unique_ptr<VolumeRenderPass> rendering;
+  std::unique_ptr<view::VolumeRenderPass> rendering;
 
   const Task& task() const { return tasks[entries.size()]; }
   const Caster& caster() const { return casters[entry.lights.size()]; }
@@ -163,15 +163,15 @@ struct Shootout::Impl {
 
   Result<void> stepPicture(const shadow::Gpu& gpu, double ms) {
     if (!rendering) {
-      RenderScene picture = scene;
+      view::RenderScene picture = scene;
       picture.options.size = options.size;
       picture.options.samples = options.samples;
       picture.lights = shadowed;
-      rendering = std::make_unique<VolumeRenderPass>(std::move(picture));
+      rendering = std::make_unique<view::VolumeRenderPass>(std::move(picture));
     }
     PILEUS_TRY(const double done, rendering->step(gpu, ms));
     if (done < 1) return {};
-    PILEUS_TRY(entry.picture, readBack(*rendering->picture()));
+    PILEUS_TRY(entry.picture, view::readBack(*rendering->picture()));
     if (!entries.empty()) {
       PILEUS_TRY(const image::Difference d, image::compare(entry.picture, entries.front().picture));
       entry.relMse = d.relMse;
@@ -192,7 +192,8 @@ struct Shootout::Impl {
   }
 };
 
-Shootout::Shootout(RenderScene scene, const ShootoutOptions& options) : impl_(std::make_unique<Impl>()) {
+Shootout::Shootout(view::RenderScene scene, const ShootoutOptions& options)
+    : impl_(std::make_unique<Impl>()) {
   impl_->scene = std::move(scene);
   impl_->options = options;
   impl_->casters = casters(impl_->scene);
@@ -224,7 +225,7 @@ Result<double> Shootout::step(const shadow::Gpu& gpu, double ms) {
 }
 
 const std::vector<ShootoutEntry>& Shootout::entries() const { return impl_->entries; }
-const RenderScene& Shootout::scene() const { return impl_->scene; }
+const view::RenderScene& Shootout::scene() const { return impl_->scene; }
 const ShootoutOptions& Shootout::options() const { return impl_->options; }
 
 int Shootout::pointCount() const {
@@ -256,4 +257,4 @@ std::string shootoutCsv(const std::vector<ShootoutEntry>& entries) {
   return csv;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

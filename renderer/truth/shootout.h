@@ -6,7 +6,7 @@
 #include "renderer/image/image.h"
 #include "renderer/truth/shadow_measure.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 enum class ShootoutGroup { Truth, Defaults, EqualMemory };
 constexpr auto enumInfo(ShootoutGroup*) {
@@ -49,14 +49,14 @@ struct ShootoutEntry {
 
 class Shootout {
  public:
-  Shootout(RenderScene scene, const ShootoutOptions& options);
+  Shootout(view::RenderScene scene, const ShootoutOptions& options);
   ~Shootout();
   /// Works for about `ms` milliseconds (see MeasurePass); the fraction done, 1 = finished. Error (Input): no
   /// lights, no media, or a light whose rays meet none, named by its number. To stop: destroy it.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Finished ones; the truth is the first.
   const std::vector<ShootoutEntry>& entries() const;
-  const RenderScene& scene() const;
+  const view::RenderScene& scene() const;
   const ShootoutOptions& options() const;
   int pointCount() const;     ///< over all lights
   std::string doing() const;  ///< "Paper, cosine 4 + 8 at equal memory"
@@ -69,4 +69,4 @@ class Shootout {
 /// One line per entry and light under a line of column names.
 std::string shootoutCsv(const std::vector<ShootoutEntry>& entries);
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

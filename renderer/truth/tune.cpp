@@ -8,7 +8,7 @@
 #include "renderer/base/profile.h"
 #include "renderer/truth/tune_model.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 using shadow::ShadowSpec;
@@ -395,4 +395,4 @@ std::string Tuner::doing() const {
   return fmt::format("{}, {} texels", shadow::describe(at), shadow::resolutionOf(at));
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

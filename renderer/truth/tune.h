@@ -4,7 +4,7 @@
 
 #include "renderer/truth/shadow_measure.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 /// What is bounded. The smallest bytes are sought under P95, the smallest error under the others.
 enum class TuneBound { P95, Milliseconds, Mebibytes };
@@ -69,4 +69,4 @@ class Tuner {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pileus::view {
+namespace pileus::truth {
 namespace {
 
 using shadow::ShadowSpec;
@@ -128,4 +128,4 @@ std::optional<TunePoint> TuneModel::expect(const ShadowSpec& spec) const {
   return p;
 }
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -10,7 +10,7 @@
 
 #include "renderer/shadow/representation.h"
 
-namespace pileus::view {
+namespace pileus::truth {
 
 struct TunePoint {
   shadow::ShadowSpec spec;
@@ -39,4 +39,4 @@ class TuneModel {
   std::vector<Known> known_;
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::truth

@@ -1,13 +1,7 @@
 #pragma once
 // Single scattering and emission through any number of overlapping volumes, and opaque solids, under any
 // number of shadowed lights; progressive over regions and samples.
-#include "renderer/gl/gpu_timer.h"
-#include "renderer/gl/region_cursor.h"
-#include "renderer/residency/tile_lists.h"
-#include "renderer/residency/volume_set.h"
-#include "renderer/shadow/gpu.h"
-#include "renderer/view/light_set.h"
-#include "renderer/view/march_budget.h"
+#include "renderer/view/camera_march.h"
 #include "renderer/view/picture.h"
 #include "renderer/view/render_scene.h"
 
@@ -20,9 +14,9 @@ class VolumeRenderPass {
                    std::vector<shadow::ShadowedLight> lights)
       : VolumeRenderPass(RenderScene{options, volumes, std::move(lights), {}}) {}
   /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
-  /// MarchBudget::kNever); before the first step.
+  /// residency::MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
-  int dispatches() const { return dispatches_; }
+  int dispatches() const { return march_.run.dispatches(); }
   /// What the texels of regions still to come hold, stretched to the picture; before the first step.
   void beginWith(std::shared_ptr<const Picture> seed) { seed_ = std::move(seed); }
   /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several);
@@ -35,7 +29,7 @@ class VolumeRenderPass {
   void addLayer(Picture::Named layer) { picture_->layers.push_back(std::move(layer)); }
   /// What the brick pool could hold, as of the last step.
   const residency::Residency& residency() const { return residency_; }
-  double takeGpuMs() { return timer_.takeMs(); }
+  double takeGpuMs() { return march_.run.takeGpuMs(); }
 
  private:
   void start(const shadow::Gpu& gpu);
@@ -45,14 +39,11 @@ class VolumeRenderPass {
   LightSet lights_;
   std::shared_ptr<Picture> picture_;
   std::shared_ptr<const Picture> seed_;
-  residency::VolumeSet set_;
+  CameraMarch march_;
+  residency::MarchBudget budget_;
   residency::Residency residency_;
-  residency::TileLists tiles_;
-  gl::RegionCursor cursor_;
-  MarchBudget budget_;
-  int pauseAfter_ = 0, dispatches_ = 0;
+  int pauseAfter_ = 0;
   bool emission_ = false;  ///< counts, and there is some
-  gl::GpuTimer timer_;
 };
 
 }  // namespace pileus::view

@@ -23,12 +23,12 @@ Judged judge(const fs::path& file, std::uint64_t seed) {
   const auto scene = cli::openScene(file, "");
   EXPECT_TRUE(scene) << scene.error().message;
   if (!scene) return {};
-  const view::Caster caster = view::casters(scene->scene).front();
+  const truth::Caster caster = truth::casters(scene->scene).front();
   JobControl control;
-  const auto samples = view::sampleShadow(caster.source, caster.volumes, {.seed = seed}, control);
+  const auto samples = truth::sampleShadow(caster.source, caster.volumes, {.seed = seed}, control);
   EXPECT_TRUE(samples);
   const auto& shadow = scene->scene.lights.front().shadow;
-  const auto result = view::probe(scene->renderer->gpu(), *shadow, *samples, 0);
+  const auto result = truth::probe(scene->renderer->gpu(), *shadow, *samples, 0);
   EXPECT_TRUE(result) << result.error().message;
   return {result->error.p95, shadow->bytes()};
 }

@@ -33,7 +33,7 @@ view::RenderScene sceneOf(const ShadowSpec& spec, ivec2 size, int samples) {
   return scene;
 }
 
-void finish(view::ComparePass& pass) {
+void finish(truth::ComparePass& pass) {
   for (int i = 0; i < 100000; ++i) {
     const auto done = pass.step(test::renderer().gpu(), 1e9);
     ASSERT_TRUE(done) << done.error().message;
@@ -85,9 +85,9 @@ Seen samplesOf(const view::RenderScene& scene) {
 TEST(Compare, MarchedAgainstMarchedIsNothing) {
   ShadowSpec spec;
   spec.kind = ShadowSpec::Kind::RayMarch;
-  view::ComparePass pass(sceneOf(spec, {40, 30}, 2));
+  truth::ComparePass pass(sceneOf(spec, {40, 30}, 2));
   finish(pass);
-  const view::CompareFigures& f = pass.figures();
+  const truth::CompareFigures& f = pass.figures();
   EXPECT_GT(f.samples, 1000);
   EXPECT_EQ(f.pictureSamples, 2);
   for (const double e : {f.shadow.mean, f.shadow.p95, f.shadow.maximum, f.leak, f.dark, f.radiance.mean,
@@ -101,12 +101,12 @@ TEST(Compare, AWrongMapsErrorIsWhatACpuAddsUp) {
   spec.coefficients = 3;
   spec.resolution = 64;
   const view::RenderScene scene = sceneOf(spec, {40, 30}, 1);
-  view::ComparePass pass(scene);
+  truth::ComparePass pass(scene);
   finish(pass);
 
   const Seen seen = samplesOf(scene);
   const auto mapped =
-      view::lookupTransmittance(test::renderer().gpu(), *scene.lights[0].shadow, seen.positions);
+      truth::lookupTransmittance(test::renderer().gpu(), *scene.lights[0].shadow, seen.positions);
   ASSERT_TRUE(mapped) << mapped.error().message;
   std::vector<double> errors;
   double mean = 0, leakMinusDark = 0, weights = 0;
@@ -121,7 +121,7 @@ TEST(Compare, AWrongMapsErrorIsWhatACpuAddsUp) {
   }
   std::sort(errors.begin(), errors.end());
   const double p95 = errors[std::size_t(0.95 * double(errors.size()))];
-  const view::CompareFigures& f = pass.figures();
+  const truth::CompareFigures& f = pass.figures();
   std::printf(
       "|dT| mean %.5f (CPU %.5f), p95 %.5f (%.5f), max %.5f (%.5f); leak %.5f, dark %.5f; relMSE %.2e\n",
       f.shadow.mean, mean, f.shadow.p95, p95, f.shadow.maximum, errors.back(), f.leak, f.dark, f.relMse);
@@ -137,14 +137,15 @@ TEST(Compare, AWrongMapsErrorIsWhatACpuAddsUp) {
 }
 
 TEST(Compare, FalseColoursTellTheSign) {
-  const vec3 leak = view::falseColour(0.5), dark = view::falseColour(-0.5), none = view::falseColour(0);
+  const vec3 leak = truth::falseColour(0.5), dark = truth::falseColour(-0.5), none = truth::falseColour(0);
   EXPECT_GT(leak.r, leak.b);
   EXPECT_GT(dark.b, dark.r);
   EXPECT_LT(std::max({none.r, none.g, none.b}), 0.15f);
   for (double e = 0; e < 1; e += 0.01) {
     const auto light = [](vec3 c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; };
-    EXPECT_LT(light(view::falseColour(e)), light(view::falseColour(e + 0.01))) << "larger is lighter: " << e;
-    EXPECT_LT(light(view::falseColour(-e)), light(view::falseColour(-e - 0.01))) << e;
+    EXPECT_LT(light(truth::falseColour(e)), light(truth::falseColour(e + 0.01)))
+        << "larger is lighter: " << e;
+    EXPECT_LT(light(truth::falseColour(-e)), light(truth::falseColour(-e - 0.01))) << e;
   }
 }
 
@@ -155,12 +156,12 @@ TEST(Compare, TheDrawnErrorIsTheMeasuredOne) {
   spec.coefficients = 3;
   spec.resolution = 64;
   const view::RenderScene scene = sceneOf(spec, {40, 30}, 1);
-  view::ComparePass pass(scene);
+  truth::ComparePass pass(scene);
   finish(pass);
-  view::CompareDisplay display;
+  truth::CompareDisplay display;
   const double scale = 0.1;
   const auto texture =
-      display.draw(test::renderer().shaders(), pass, view::CompareDisplay::Show::ShadowError, scale);
+      display.draw(test::renderer().shaders(), pass, truth::CompareDisplay::Show::ShadowError, scale);
   ASSERT_TRUE(texture) << texture.error().message;
   std::vector<vec4> sums(1200), seen(1200), shown(1200);
   const auto read = [](unsigned id, std::vector<vec4>& into) {
@@ -174,7 +175,7 @@ TEST(Compare, TheDrawnErrorIsTheMeasuredOne) {
     if (seen[i].z < 0.05f) continue;
     const double mean = double(sums[i].x) / double(seen[i].z);
     EXPECT_NEAR(sums[i].x, seen[i].x - seen[i].y, 1e-5);
-    const vec3 expected = view::falseColour(mean / scale);
+    const vec3 expected = truth::falseColour(mean / scale);
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(shown[i][c], expected[c], 0.02) << "pixel " << i;
     leaks += mean > 0.01 ? 1 : 0;
     darks += mean < -0.01 ? 1 : 0;

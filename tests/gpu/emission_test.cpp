@@ -131,7 +131,7 @@ std::vector<float> pixels(const view::RenderScene& scene, int pauseAfter) {
 
 TEST(Emission, PausesAndOverlapsLeaveNoTrace) {
   for (const auto layer : {view::PictureLayer{}, view::PictureLayer{Kind::Emission, 0}}) {
-    const auto whole = pixels(crowded(layer), view::MarchBudget::kNever);
+    const auto whole = pixels(crowded(layer), residency::MarchBudget::kNever);
     for (const int pause : {60, 300}) {
       const auto paused = pixels(crowded(layer), pause);
       float worst = 0;
@@ -154,7 +154,9 @@ TEST(Emission, ManyOverlapsGiveWhatFewDo) {
 }
 
 TEST(Emission, LayersAddUpToThePicture) {
-  const auto run = [](view::PictureLayer layer) { return pixels(crowded(layer), view::MarchBudget::kNever); };
+  const auto run = [](view::PictureLayer layer) {
+    return pixels(crowded(layer), residency::MarchBudget::kNever);
+  };
   const auto all = run({}), one = run({Kind::Light, 0}), two = run({Kind::Light, 1}),
              glow = run({Kind::Emission, 0});
   float lit = 0, bright = 0;
@@ -220,7 +222,7 @@ TEST(Emission, IsNoSampleOfTheShadowsError) {
     scene.options.samples = 1;
     scene.options.camera = {dvec3(0.5, 0.6, 4), dvec3(0), dvec3(0, 1, 0), 40};
     scene.lights = {{sun, test::build(test::fourier(3), volumes, sun)}};
-    view::ComparePass pass(scene);
+    truth::ComparePass pass(scene);
     while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
     }
     return pass.figures();

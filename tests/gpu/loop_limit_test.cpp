@@ -127,7 +127,7 @@ Drawn draw(const view::RenderScene& scene, int pauseAfter) {
 TEST(LoopLimit, PausesLeaveNoTraceInAPicture) {
   for (const int lights : {4, 1}) {
     const view::RenderScene scene = mixedScene(lights);
-    const Drawn whole = draw(scene, view::MarchBudget::kNever);
+    const Drawn whole = draw(scene, residency::MarchBudget::kNever);
     for (const int pauseAfter : {1, 300, 1000}) {
       const Drawn cut = draw(scene, pauseAfter);
       double worst = 0, largest = 0;
@@ -164,7 +164,7 @@ TEST(LoopLimit, PausesLeaveNoTraceInShadowErrors) {
     view::RenderScene scene = mixedScene(lights);
     if (lights == 1) scene.lights = {mixedScene(2).lights[1]};
     const auto measure = [&](int pauseAfter) {
-      view::ShadowErrorPass pass(scene, view::truthOf(scene, 0.4));
+      truth::ShadowErrorPass pass(scene, truth::truthOf(scene, 0.4));
       pass.pauseAfter(pauseAfter);
       while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
       }
@@ -192,7 +192,7 @@ TEST(LoopLimit, ShadowErrorOfManySteps) {
   scene.options.camera = {{0, -50, 0}, {0, 0, 0}, {0, 0, 1}, 0.01};
   scene.volumes = volumes;
   scene.lights = {test::shadowed(test::sunFrom({0, 1, 0}), mapped(), volumes)};
-  view::ShadowErrorPass pass(scene, view::truthOf(scene, 0.1));
+  truth::ShadowErrorPass pass(scene, truth::truthOf(scene, 0.1));
   while (pass.step(test::renderer().gpu(), 1e9).value() < 1) {
   }
   std::printf("%.0f samples, mean %.3g, largest %.3g\n", pass.samples(), pass.mean(), pass.maximum());

@@ -26,11 +26,11 @@ const scene::Light& noon() {
   return sun;
 }
 
-view::RayProbe probeOf(const ShadowSpec& spec, const volume::InstanceList& volumes, const dvec3& point,
-                       const scene::Light& light = noon()) {
+truth::RayProbe probeOf(const ShadowSpec& spec, const volume::InstanceList& volumes, const dvec3& point,
+                        const scene::Light& light = noon()) {
   const auto map = shadow::buildShadow(test::renderer().gpu(), spec, light, volumes);
   EXPECT_TRUE(map) << map.error().message;
-  auto probe = view::probeRay(test::renderer().gpu(), {light, *map}, point);
+  auto probe = truth::probeRay(test::renderer().gpu(), {light, *map}, point);
   EXPECT_TRUE(probe) << probe.error().message;
   return *probe;
 }
@@ -43,20 +43,20 @@ ShadowSpec improved(int intervals, int coefficients, int resolution = 64) {
   return spec;
 }
 
-bool flagged(const view::RayProbe& probe, const std::string& part) {
-  for (const view::RayFlag& f : view::rayFlags(probe))
+bool flagged(const truth::RayProbe& probe, const std::string& part) {
+  for (const truth::RayFlag& f : truth::rayFlags(probe))
     if (f.text.find(part) != std::string::npos) return true;
   return false;
 }
 
-std::string allFlags(const view::RayProbe& probe) {
+std::string allFlags(const truth::RayProbe& probe) {
   std::string out;
-  for (const view::RayFlag& f : view::rayFlags(probe)) out += f.text + " ";
+  for (const truth::RayFlag& f : truth::rayFlags(probe)) out += f.text + " ";
   return out;
 }
 
 TEST(RayProbe, TwoBoxesAreExact) {
-  const view::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2));
+  const truth::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2));
   ASSERT_EQ(p.parts.size(), 2u);
   ASSERT_EQ(p.covered.size(), 2u);
   EXPECT_EQ(p.parts[0].name, "Box 1");
@@ -84,7 +84,7 @@ TEST(RayProbe, TwoBoxesAreExact) {
 /// Closed form of technique: two boxes of lengths 1 and 0.5, c_0 = s1 L1 + s2 L2, c_k = 2 (s1 - s2)(L1 + L2)
 /// sin(pi k q)/(pi k).
 TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
-  const view::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2));
+  const truth::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2));
   ASSERT_EQ(p.taps.taps.size(), 1u);
   const std::vector<double>& c = p.taps.taps[0].coefficients;
   ASSERT_EQ(c.size(), 8u);
@@ -95,7 +95,7 @@ TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
   for (const std::size_t mute : {std::size_t(1), std::size_t(4)}) {
     std::vector<char> muted(8, 0);
     muted[mute] = 1;
-    const std::vector<double> T = view::mutedTransmittance(p, muted);
+    const std::vector<double> T = truth::mutedTransmittance(p, muted);
     for (std::size_t i = 0; i < p.x.size(); ++i) {
       double tau = c[0] * p.u[i];
       for (std::size_t k = 1; k < 8; ++k)
@@ -103,7 +103,7 @@ TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
       ASSERT_NEAR(T[i], std::exp(-std::clamp(tau, 0.0, c[0])), 1e-9)
           << "without c" << mute << " at " << p.x[i];
     }
-    const view::ExtinctionOverU over = view::extinctionOverU(p, muted);
+    const truth::ExtinctionOverU over = truth::extinctionOverU(p, muted);
     for (std::size_t i = 0; i < over.u.size(); ++i) {
       double sigma = c[0];
       for (std::size_t k = 1; k < 8; ++k)
@@ -112,7 +112,7 @@ TEST(RayProbe, CoefficientsAndTheirMutingFollowTheSeries) {
     }
   }
   // Exact extinction over g: two plateaus, 0.8 and 3 per metre over 1.5 metres.
-  const view::ExtinctionOverU over = view::extinctionOverU(p);
+  const truth::ExtinctionOverU over = truth::extinctionOverU(p);
   EXPECT_NEAR(over.exact[64], 0.8 * 1.5, 0.05);
   EXPECT_NEAR(over.exact[210], 3 * 1.5, 0.15);
 }
@@ -147,7 +147,7 @@ TEST(RayProbe, TheTexelsSayWhatTheLookupSays) {
   volumes.push_back(test::ball(dvec3(0.8, 0.2, 0.1), 0.5, 2));
   for (const ShadowSpec& spec : specs)
     for (const dvec3& point : {dvec3(0.1, -2, 0.2), dvec3(0.83, -1.9, -0.13), dvec3(0.313, -2, 0.1)}) {
-      const view::RayProbe p = probeOf(spec, volumes, point);
+      const truth::RayProbe p = probeOf(spec, volumes, point);
       double worst = 0;
       for (std::size_t i = 0; i < p.x.size(); ++i)
         if (p.x[i] > 1e-3)
@@ -164,8 +164,8 @@ TEST(RayProbe, ExtinctionOverUIntegratesToTheOpticalDepth) {
        {shadow::Basis::Cosine, shadow::Basis::Fourier, shadow::Basis::Slab, shadow::Basis::Piecewise}) {
     ShadowSpec spec = improved(4, 8);
     spec.extinction.basis = basis;
-    const view::RayProbe p = probeOf(spec, twoBoxes(), dvec3(0.1, -2, 0.2));
-    const view::ExtinctionOverU e = view::extinctionOverU(p, {}, 4096);
+    const truth::RayProbe p = probeOf(spec, twoBoxes(), dvec3(0.1, -2, 0.2));
+    const truth::ExtinctionOverU e = truth::extinctionOverU(p, {}, 4096);
     double mapped = 0, exact = 0;
     for (std::size_t i = 0; i < e.u.size(); ++i) mapped += e.mapped[i] / 4096, exact += e.exact[i] / 4096;
     EXPECT_NEAR(exact, 0.8 + 1.5, 1e-6);
@@ -179,7 +179,7 @@ TEST(RayProbe, FlagsSayWhatIsWrong) {
   fourier.kind = ShadowSpec::Kind::FourierOpacity;
   fourier.coefficients = 7;
   fourier.resolution = 64;
-  const view::RayProbe f = probeOf(fourier, twoBoxes(), dvec3(0.1, -2, 0.2));
+  const truth::RayProbe f = probeOf(fourier, twoBoxes(), dvec3(0.1, -2, 0.2));
   double low = 2, rise = 0;
   for (const double t : f.mapped) low = std::min(low, t), rise = std::max(rise, t - low);
   std::printf("Fourier opacity 7: %s\n", allFlags(f).c_str());
@@ -190,7 +190,7 @@ TEST(RayProbe, FlagsSayWhatIsWrong) {
   // Five boxes in four intervals.
   volume::InstanceList five;
   for (int i = 0; i < 5; ++i) five.push_back(test::box(dvec3(0, 4 - 2 * i, 0), dvec3(1, 0.5, 1), 1));
-  const view::RayProbe m = probeOf(improved(4, 8), five, dvec3(0.1, -4, 0.1));
+  const truth::RayProbe m = probeOf(improved(4, 8), five, dvec3(0.1, -4, 0.1));
   EXPECT_TRUE(flagged(m, "5 intervals are merged into 4.")) << allFlags(m);
   EXPECT_FALSE(flagged(probeOf(improved(8, 8), five, dvec3(0.1, -4, 0.1)), "merged"));
 
@@ -199,13 +199,13 @@ TEST(RayProbe, FlagsSayWhatIsWrong) {
   for (int i = 0; i < 3; ++i) dense.push_back(test::box(dvec3(0, 3 - 3 * i, 0), dvec3(1, 1, 1), 4));
   ShadowSpec spec = improved(4, 8);
   spec.metric.horizon = 6;
-  const view::RayProbe h = probeOf(spec, dense, dvec3(0.1, -3, 0.1));
+  const truth::RayProbe h = probeOf(spec, dense, dvec3(0.1, -3, 0.1));
   std::printf("dense: %s\n", allFlags(h).c_str());
   EXPECT_TRUE(flagged(h, "The horizon hides an optical depth of")) << allFlags(h);
 
   ShadowSpec march;
   march.kind = ShadowSpec::Kind::RayMarch;
-  const view::RayProbe r = probeOf(march, twoBoxes(), dvec3(0.1, -2, 0.2));
+  const truth::RayProbe r = probeOf(march, twoBoxes(), dvec3(0.1, -2, 0.2));
   EXPECT_TRUE(r.mapped.empty());
   EXPECT_TRUE(flagged(r, "Marched in steps of 0.5 voxels")) << allFlags(r);
 }
@@ -214,7 +214,7 @@ TEST(RayProbe, DeepMapsShowTheirVertices) {
   ShadowSpec deep;
   deep.kind = ShadowSpec::Kind::Deep;
   deep.resolution = 64;
-  const view::RayProbe p = probeOf(deep, twoBoxes(), dvec3(0.1, -2, 0.2));
+  const truth::RayProbe p = probeOf(deep, twoBoxes(), dvec3(0.1, -2, 0.2));
   ASSERT_GE(p.taps.vertices.size(), 4u);
   EXPECT_TRUE(p.taps.taps.empty());
   for (std::size_t i = 1; i < p.taps.vertices.size(); ++i)
@@ -229,10 +229,10 @@ TEST(RayProbe, PointLightsBeginAtTheirNearDistance) {
   lamp.kind = scene::LightKind::Point;
   lamp.position = dvec3(0, 5, 0);
   lamp.emitted = vec3(100);
-  const view::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2), lamp);
+  const truth::RayProbe p = probeOf(improved(4, 8), twoBoxes(), dvec3(0.1, -2, 0.2), lamp);
   const double distance = glm::length(dvec3(0.1, -2, 0.2) - lamp.position);
   EXPECT_NEAR(p.metres(p.pointX), distance, 1e-6);
-  EXPECT_NEAR(view::mutedTransmittance(p, {}).front(), 1, 1e-6);
+  EXPECT_NEAR(truth::mutedTransmittance(p, {}).front(), 1, 1e-6);
   double at = 0;
   for (std::size_t i = 0; i < p.x.size(); ++i)
     if (p.x[i] <= p.pointX) at = p.exact[i];
@@ -241,7 +241,7 @@ TEST(RayProbe, PointLightsBeginAtTheirNearDistance) {
 }
 
 TEST(RayProbe, AnUnshadowedLightIsRefused) {
-  const auto probe = view::probeRay(test::renderer().gpu(), {noon(), nullptr}, dvec3(0));
+  const auto probe = truth::probeRay(test::renderer().gpu(), {noon(), nullptr}, dvec3(0));
   ASSERT_FALSE(probe);
   EXPECT_NE(probe.error().message.find("no shadow"), std::string::npos);
 }

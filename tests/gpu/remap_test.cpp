@@ -184,7 +184,7 @@ TEST(Remap, PausesAndOverlapsLeaveNoTrace) {
     return view::readBack(*pass.picture()).value();
   };
   test::renderer();
-  const image::Image whole = picture(view::MarchBudget::kNever);
+  const image::Image whole = picture(residency::MarchBudget::kNever);
   EXPECT_LT(largestDifference(whole, picture(300)), 1e-5);
   EXPECT_GT(*std::max_element(whole.layers[0].pixels.begin(), whole.layers[0].pixels.end()), 0.3f);
 }

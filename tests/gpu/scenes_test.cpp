@@ -8,14 +8,14 @@
 namespace pileus {
 namespace {
 
-view::ShadowSamples samplesOf(const view::RenderScene& scene, int count) {
+truth::ShadowSamples samplesOf(const view::RenderScene& scene, int count) {
   JobControl control;
-  view::SampleOptions options;
+  truth::SampleOptions options;
   options.count = count;
   options.limitMs = 1e9;
-  auto samples = view::sampleShadow(scene.lights[0].light, scene.volumes, options, control);
+  auto samples = truth::sampleShadow(scene.lights[0].light, scene.volumes, options, control);
   EXPECT_TRUE(samples) << (samples ? "" : samples.error().message);
-  return samples ? *samples : view::ShadowSamples{};
+  return samples ? *samples : truth::ShadowSamples{};
 }
 
 std::shared_ptr<const shadow::ShadowMap> build(const view::RenderScene& scene,
@@ -30,13 +30,13 @@ TEST(Scenes, ImprovedMapLeadsOn76Clouds) {
   const auto scene = cli::cloudField(76, 1);
   ASSERT_TRUE(scene);
   ASSERT_EQ(scene->volumes.size(), 76u);
-  const view::ShadowSamples samples = samplesOf(*scene, 6000);
+  const truth::ShadowSamples samples = samplesOf(*scene, 6000);
   double improved = 0;
   int beaten = 0;
   for (const cli::TableRow& row : cli::representationTable(256)) {
     const auto map = build(*scene, row.spec);
     ASSERT_TRUE(map);
-    const auto r = view::probe(test::renderer().gpu(), *map, samples, 0);
+    const auto r = truth::probe(test::renderer().gpu(), *map, samples, 0);
     ASSERT_TRUE(r);
     std::printf("76 clouds, %-62s %5.1f bytes a texel, mean |dT| %.4f, p95 %.4f, largest %.3f\n",
                 shadow::describe(row.spec).c_str(), map->bytesPerTexel(), r->error.mean, r->error.p95,

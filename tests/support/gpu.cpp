@@ -77,7 +77,7 @@ std::vector<float> lookupTau(const shadow::ShadowMap& map, const scene::Light& l
   lit.light = light;
   std::vector<vec4> padded;
   for (const vec3& p : positions) padded.push_back(vec4(p, 0));
-  std::vector<float> tau = must(view::lookupTransmittance(renderer().gpu(), lit, padded));
+  std::vector<float> tau = must(truth::lookupTransmittance(renderer().gpu(), lit, padded));
   for (float& t : tau) t = -std::log(std::max(t, std::numeric_limits<float>::min()));
   return tau;
 }

@@ -1,5 +1,5 @@
-// Small bases over u in [0,1]: projection of optical depth and its analytic integral. Equations: docs/physics.md; twins:
-// renderer/shadow/basis.h. BASIS_FLOATS: array length of the variant.
+// Small bases over u in [0,1]: projection of optical depth and its analytic integral. Equations:
+// docs/physics.md; twins: renderer/shadow/basis.h. BASIS_FLOATS: array length of the variant.
 #pragma once
 #include "shared/records.h"
 const float kPi = 3.14159265358979;
@@ -14,8 +14,8 @@ float sinc(float x) {
   return 1.0 - y / 6.0 * (1.0 - y / 20.0 * (1.0 - y / 42.0 * (1.0 - y / 72.0 * (1.0 - y / 110.0))));
 }
 
-// Adds an optical depth m spread evenly over [u0, u1]: c_k += 2 m times the basis function's mean over the step. Exact for constant
-// extinction and a linear u, for any step length; no cancellation as u1 -> u0.
+// Adds an optical depth m spread evenly over [u0, u1]: c_k += 2 m times the basis function's mean over the
+// step. Exact for constant extinction and a linear u, for any step length; no cancellation as u1 -> u0.
 void projectStep(int basis, inout float c[BASIS_FLOATS], float m, float u0, float u1) {
   float mid = 0.5 * (u0 + u1), halfWidth = 0.5 * (u1 - u0);
   if (basis == BASIS_COSINE) {
@@ -42,16 +42,18 @@ void projectStep(int basis, inout float c[BASIS_FLOATS], float m, float u0, floa
     if (hi - lo < 1e-6) {
       c[first] += m;
     } else {
-      for (int j = 0; j < BASIS_FLOATS; ++j) c[j] += m * max(min(hi, float(j + 1)) - max(lo, float(j)), 0.0) / (hi - lo);
+      for (int j = 0; j < BASIS_FLOATS; ++j)
+        c[j] += m * max(min(hi, float(j + 1)) - max(lo, float(j)), 0.0) / (hi - lo);
     }
   }
 }
 
-// Piecewise cosines: every interval of the metric has its own optical depth and its own cosines, shared out in turn: coefficient i belongs
-// to interval i modulo count, order i / count. No interval's detail is paid for by another, and each end is exact.
-// Adds m spread over [v0, v1] of interval j.
+// Piecewise cosines: every interval of the metric has its own optical depth and its own cosines, shared out
+// in turn: coefficient i belongs to interval i modulo count, order i / count. No interval's detail is paid
+// for by another, and each end is exact. Adds m spread over [v0, v1] of interval j.
 void projectPiece(inout float c[BASIS_FLOATS], float m, int count, int j, float v0, float v1) {
-  float th = kPi * 0.5 * (v0 + v1), halfWidth = 0.5 * kPi * (v1 - v0), w = 2.0 * cos(th), previous = 0.5 * w, current = 1.0;
+  float th = kPi * 0.5 * (v0 + v1), halfWidth = 0.5 * kPi * (v1 - v0);
+  float w = 2.0 * cos(th), previous = 0.5 * w, current = 1.0;
   int k = 0, piece = 0;
   for (int i = 0; i < BASIS_FLOATS; ++i) {
     c[i] += piece == j ? (k == 0 ? m : 2.0 * m * current * sinc(float(k) * halfWidth)) : 0.0;
@@ -100,7 +102,8 @@ BasisPhase basisPhase(int basis, float u) {
 // tau(u) from n coefficients, clamped to [0, tau(1)].
 float basisTau(int basis, int n, float c[BASIS_FLOATS], BasisPhase at) {
   if (basis == BASIS_COSINE) {
-    // Odd and even orders side by side: sin (k + 2) a = 2 cos 2a sin k a - sin (k - 2) a, half as long a chain as order by order.
+    // Odd and even orders side by side: sin (k + 2) a = 2 cos 2a sin k a - sin (k - 2) a, half as long a
+    // chain as order by order.
     float tau = c[0] * at.u, w = 4.0 * at.cosine * at.cosine - 2.0;
     vec2 previous = vec2(-at.sine, 0.0), current = vec2(at.sine, 2.0 * at.cosine * at.sine);
     for (int k = 1; k < BASIS_FLOATS; k += 2) {

@@ -1,4 +1,5 @@
-// Ray-shape intersections: the part (t0, t1) of the line o + t d inside, or t0 >= t1. Twins in renderer/base/math.h.
+// Ray-shape intersections: the part (t0, t1) of the line o + t d inside, or t0 >= t1. Twins in
+// renderer/base/math.h.
 #pragma once
 
 vec2 intersectBox(vec3 o, vec3 d, vec3 lo, vec3 hi) {

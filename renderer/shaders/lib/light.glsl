@@ -1,5 +1,5 @@
-// Lights: what arrives unshadowed, where a point lies in a light's map, and a map texel's light ray. Twins: scene/light.h,
-// shadow/light_frustum.h.
+// Lights: what arrives unshadowed, where a point lies in a light's map, and a map texel's light ray. Twins:
+// scene/light.h, shadow/light_frustum.h.
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"
@@ -28,11 +28,13 @@ Incidence lightAt(int l, vec3 p) {
   return i;
 }
 
-// Maps of point lights have six faces: 0..5 = +X -X +Y -Y +Z -Z of light space. A face's image plane is spanned by the other two axes
-// in cyclic order. One texel of border beyond 90 degrees makes bilinear footprints whole at the edges.
+// Maps of point lights have six faces: 0..5 = +X -X +Y -Y +Z -Z of light space. A face's image plane is
+// spanned by the other two axes in cyclic order. One texel of border beyond 90 degrees makes bilinear
+// footprints whole at the edges.
 float faceScale(int kind, float edge) { return kind == LIGHT_POINT ? 1.0 - 2.0 / edge : 1.0; }
 
-// World -> (u, v, x): u and v in [0,1]^2 of face `face`, x in [0,1] from near to far; any of them may lie outside.
+// World -> (u, v, x): u and v in [0,1]^2 of face `face`, x in [0,1] from near to far; any of them may lie
+// outside.
 vec3 mapCoordinates(int l, vec3 p, float edge, out int face) {
   vec3 q = (lights[l].lightFromWorld * vec4(p, 1.0)).xyz;
   face = 0;
@@ -68,7 +70,10 @@ MapRay mapRay(int l, int face, vec2 uv, float edge) {
   vec2 across = (2.0 * uv - 1.0) / faceScale(kind, edge) * lights[l].extent.w;
   int axis = face >> 1;
   float s = (face & 1) == 1 ? -1.0 : 1.0;
-  vec3 q = kind == LIGHT_SPOT ? vec3(across, 1.0) : axis == 0 ? vec3(s, across) : axis == 1 ? vec3(across.y, s, across.x) : vec3(across, s);
+  vec3 q = kind == LIGHT_SPOT ? vec3(across, 1.0)
+           : axis == 0        ? vec3(s, across)
+           : axis == 1        ? vec3(across.y, s, across.x)
+                              : vec3(across, s);
   r.d = normalize((lights[l].worldFromLight * vec4(q, 0.0)).xyz);
   r.o = lights[l].position.xyz + lights[l].extent.z * r.d;
   r.length = lights[l].extent.x;

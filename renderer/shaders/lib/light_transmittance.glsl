@@ -1,8 +1,7 @@
 // What arrives of a light at a point: through the media by whatever shadow it has, and past the solids that
 // block it. What is read here is bound by view/light_set.h, volumes by residency/volume_set.h.
-// Variant constants: LIGHT_KINDS (1: lights without shadow, 2: extinction maps, 4: ray marches,
-// 8: transmittance maps, 16: deep maps), LOCAL_LIGHTS (0: suns only), BLOCKERS of lib/solid.glsl and those of
-// lib/shadow_map.glsl.
+// Variant constants: LIGHT_KINDS (bit SHADOW_* for each kind of shadow the lights have), LOCAL_LIGHTS (0:
+// suns only), BLOCKERS of lib/solid.glsl and those of lib/shadow_map.glsl.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/light.glsl"
@@ -24,40 +23,33 @@ Incidence unshadowed(int l, vec3 p) {
 #endif
 }
 
-// `inMedium`: p is a point of a medium, not of a surface. With RESUME it goes on where state.item and state.tau say, and means
-// nothing where `paused` is set behind it.
+// Through the volumes that light l's shadow marches through. Where they take several dispatches: on from the
+// first one that is missing, and without meaning where `paused` is set behind it.
+float marchedTransmittance(int l, vec3 p, vec3 towards, float distance) {
+  int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0, k = firstItem();
+  float tau = firstTau();
+  for (; k < count && tau < 30.0; ++k) {
+    spend(1);
+    if (pausesAtItem()) break;
+    int v = texelFetch(shadowItems, lights[l].items.y + k).x;
+    tau += opticalDepth(v, p, towards, lights[l].extent.y, distance);
+  }
+  itemsDone(k, tau);
+  return exp(-tau);
+}
+
+// `inMedium`: p is a point of a medium, not of a surface.
 float lightTransmittanceTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium) {
   float T = 1.0;
-#if LIGHT_KINDS & 26
-#if LIGHT_KINDS & 5
+#if LIGHT_KINDS & MAPPED_SHADOWS
+#if LIGHT_KINDS & ~MAPPED_SHADOWS
   int shadow = lights[l].shadow.x;
   if (shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH)
 #endif
     T = lookupTransmittance(l, p, inMedium);
 #endif
-#if LIGHT_KINDS & 4
-  int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0, k = 0;
-  float tau = 0.0;
-#if RESUME
-  k = state.item;
-  tau = state.tau;
-#endif
-  for (; k < count && tau < 30.0; ++k) {
-#if RESUME
-    SPEND(1);
-    if (mustPause()) {
-      paused = true;
-      break;
-    }
-#endif
-    tau += opticalDepth(texelFetch(shadowItems, lights[l].items.y + k).x, p, towards, lights[l].extent.y,
-                        distance);
-  }
-#if RESUME
-  state.item = paused ? k : 0;
-  state.tau = paused ? tau : 0.0;
-#endif
-  T *= exp(-tau);
+#if HAS_SHADOW(SHADOW_RAY_MARCH)
+  T *= marchedTransmittance(l, p, towards, distance);
 #endif
   return T;
 }

@@ -1,9 +1,11 @@
-// The texel of a light's map a thread works on. The faces of a point light stand one below the other, faceStride rows apart.
+// The texel of a light's map a thread works on. The faces of a point light stand one below the other,
+// faceStride rows apart.
 #pragma once
 #include "lib/light.glsl"
 uniform ivec2 regionOrigin, regionEnd;
 uniform int faceStride, mapEdge;
-uniform float footprint, footprintAngle;  // metres a texel covers: footprint + footprintAngle * metres from the light
+// Metres a texel covers: footprint + footprintAngle * metres from the light.
+uniform float footprint, footprintAngle;
 
 struct MapTexel {
   ivec2 tall, texel;  // in the tall map (tile lists); on its face
@@ -22,4 +24,6 @@ MapTexel mapTexel(ivec2 tall) {
 
 MapTexel mapTexelOf(uvec2 thread) { return mapTexel(regionOrigin + ivec2(thread)); }
 vec2 texelUv(MapTexel m) { return (vec2(m.texel) + 0.5) / float(mapEdge); }
-float footprintAt(float metres) { return footprint + footprintAngle * (lights[0].extent.z + max(metres, 0.0)); }
+float footprintAt(float metres) {
+  return footprint + footprintAngle * (lights[0].extent.z + max(metres, 0.0));
+}

@@ -1,6 +1,6 @@
 // The pseudometric u(x): the fraction of the covered length in front of x. Twins: renderer/shadow/metric.h.
-// METRIC_FLOATS: array length of the variant (2 K for intervals, the coefficient count otherwise; at least 4). WEIGHTS 1: intervals
-// count by a weight each.
+// METRIC_FLOATS: array length of the variant (2 K for intervals, the coefficient count otherwise; at least
+// 4). WEIGHTS 1: intervals count by a weight each.
 #pragma once
 #include "shared/records.h"
 #include "lib/basis.glsl"
@@ -21,7 +21,8 @@ float metricFace(int metric, int i, float t) {
   return (i % 2 == 1 ? sin(w) : 1.0 - cos(w)) / (kPi * k);
 }
 
-// Intervals (a0, b0, a1, b1, ...), sorted and disjoint; unused ones have a = b = 1. Their weights w are at least 1/255.
+// Intervals (a0, b0, a1, b1, ...), sorted and disjoint; unused ones have a = b = 1. Their weights w are at
+// least 1/255.
 float intervalMass(float m[METRIC_FLOATS], float w[kIntervals], int j) {
 #if WEIGHTS
   return w[j] * (m[2 * j + 1] - m[2 * j]);
@@ -36,10 +37,12 @@ float intervalWhole(float m[METRIC_FLOATS], float w[kIntervals]) {
   return whole;
 }
 
-// May the metrics of neighbouring texels be blended? Not when an interval of one has no counterpart in the other: ends further apart
-// than the shorter one is long, or shares of u that differ by more than a tenth (measured on 76 clouds: limits of 0.1, 0.5 and 1 of the
-// length give mean errors of 0.0197, 0.0197 and 0.0199, and the last tells apart the fewest texels).
-bool intervalsMatch(float m[METRIC_FLOATS], float w[kIntervals], float o[METRIC_FLOATS], float v[kIntervals]) {
+// May the metrics of neighbouring texels be blended? Not when an interval of one has no counterpart in the
+// other: ends further apart than the shorter one is long, or shares of u that differ by more than a tenth
+// (measured on 76 clouds: limits of 0.1, 0.5 and 1 of the length give mean errors of 0.0197, 0.0197 and
+// 0.0199, and the last tells apart the fewest texels).
+bool intervalsMatch(float m[METRIC_FLOATS], float w[kIntervals], float o[METRIC_FLOATS],
+                    float v[kIntervals]) {
   bool match = true;
   for (int j = 0; j < kIntervals; ++j) {
     float shorter = min(m[2 * j + 1] - m[2 * j], o[2 * j + 1] - o[2 * j]);
@@ -47,7 +50,8 @@ bool intervalsMatch(float m[METRIC_FLOATS], float w[kIntervals], float o[METRIC_
   }
 #if WEIGHTS
   float a = max(intervalWhole(m, w), 1e-9), b = max(intervalWhole(o, v), 1e-9);
-  for (int j = 0; j < kIntervals; ++j) match = match && abs(intervalMass(m, w, j) / a - intervalMass(o, v, j) / b) <= 0.1;
+  for (int j = 0; j < kIntervals; ++j)
+    match = match && abs(intervalMass(m, w, j) / a - intervalMass(o, v, j) / b) <= 0.1;
 #endif
   return match;
 }
@@ -78,7 +82,8 @@ float pieceEnd(float m[METRIC_FLOATS], int j) {
   return b;
 }
 
-// The last interval that begins at or before x (the first one where none does), where x lies in it, and how many there are.
+// The last interval that begins at or before x (the first one where none does), where x lies in it, and how
+// many there are.
 void pieceOf(float m[METRIC_FLOATS], float x, out int count, out int j, out float v) {
   count = 0, j = 0;
   float a = m[0], b = m[1];
@@ -101,7 +106,8 @@ float intervalsEnd(float m[METRIC_FLOATS]) {
   return end;
 }
 
-// g = c_0 x + SUM_k c_k sin(pi k x)/(pi k), u = g / c_0 clamped: overshoot of the truncated series beyond [0,1] is real.
+// g = c_0 x + SUM_k c_k sin(pi k x)/(pi k), u = g / c_0 clamped: overshoot of the truncated series beyond
+// [0,1] is real.
 float cosineU(float m[METRIC_FLOATS], int n, float x) {
   float g = m[0] * x, w = 2.0 * cos(kPi * x), previous = 0.0, current = sin(kPi * x);
   for (int k = 1; k < METRIC_FLOATS; ++k) {

@@ -1,7 +1,8 @@
-// A coefficient texel's footprint (itself, right, below, diagonal) is mixed when the intervals of its metrics do not match: then
-// neither metrics nor coefficients may be blended across it. Often its two rows or its two columns still match within themselves. The
-// map's builder notes what holds in the lowest bits of coefficients of the first layer, one each: mixed in the last of the layer's,
-// and with four or more coefficients "in pairs" in the third and "pairs are columns" in the second.
+// A coefficient texel's footprint (itself, right, below, diagonal) is mixed when the intervals of its metrics
+// do not match: then neither metrics nor coefficients may be blended across it. Often its two rows or its two
+// columns still match within themselves. The map's builder notes what holds in the lowest bits of
+// coefficients of the first layer, one each: mixed in the last of the layer's, and with four or more
+// coefficients "in pairs" in the third and "pairs are columns" in the second.
 #pragma once
 #include "shared/records.h"
 
@@ -29,7 +30,8 @@ int blendOf(bvec4 low, int coefficients) {
 }
 
 vec4 withBlend(vec4 first, int blend, int coefficients, int store) {
-  first[mixedChannel(coefficients)] = withLowBit(first[mixedChannel(coefficients)], blend != BLEND_WHOLE, store);
+  first[mixedChannel(coefficients)] =
+      withLowBit(first[mixedChannel(coefficients)], blend != BLEND_WHOLE, store);
   if (coefficients >= 4) {
     first.z = withLowBit(first.z, blend >= BLEND_ROWS, store);
     first.y = withLowBit(first.y, blend == BLEND_COLUMNS, store);

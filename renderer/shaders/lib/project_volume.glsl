@@ -1,11 +1,13 @@
-// Projects one volume's optical depth along a map's light ray on the basis: what gathering and splatting share.
-// Variant constants: METRIC, METRIC_COUNT, BASIS, those of lib/metric.glsl and lib/basis.glsl, HORIZON.
+// Projects one volume's optical depth along a map's light ray on the basis: what gathering and splatting
+// share. Variant constants: METRIC, METRIC_COUNT, BASIS, those of lib/metric.glsl and lib/basis.glsl,
+// HORIZON.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/map_texel.glsl"
 #include "lib/metric.glsl"
 
-// What one texel adds up. Behind the end of the last interval (a horizon) only the total is kept, and where it ends.
+// What one texel adds up. Behind the end of the last interval (a horizon) only the total is kept, and where
+// it ends.
 struct Projection {
   float c[BASIS_FLOATS];
   float behind;  // optical depth behind the horizon
@@ -23,7 +25,8 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
   VolumeRay r;
   float size = footprintAt(0.0);
 #if PERSPECTIVE
-  size = footprintAt(0.5 * dot(vec2(1.0), clamp(extentOfVolume(v, ray.o, ray.d), vec2(0.0), vec2(ray.length))));
+  size =
+      footprintAt(0.5 * dot(vec2(1.0), clamp(extentOfVolume(v, ray.o, ray.d), vec2(0.0), vec2(ray.length))));
 #endif
   vec2 hit = enterVolume(v, ray.o, ray.d, levelFor(v, size), r);
   float t0 = max(hit.x, 0.0), t1 = min(hit.y, ray.length), end = intervalsEnd(m);
@@ -55,7 +58,8 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
       more = first < 0 || (next == i && i + 1 - first < chunk);
       i = max(next, i + 1);
     } while (more && i < n);
-    float x0 = clamp((t0 + float(max(first, 0)) * ds) / ray.length, 0.0, 1.0), x1 = clamp((t0 + float(last) * ds) / ray.length, 0.0, 1.0);
+    float x0 = clamp((t0 + float(max(first, 0)) * ds) / ray.length, 0.0, 1.0),
+          x1 = clamp((t0 + float(last) * ds) / ray.length, 0.0, 1.0);
     float depth = m0 * ds;
 #if HORIZON
     float front = clamp((end - x0) / max(x1 - x0, 1e-12), 0.0, 1.0);
@@ -69,9 +73,11 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
     float v, a, b;
     pieceOf(m, 0.5 * (x0 + x1), count, j, v);
     a = pieceBegin(m, j), b = pieceEnd(m, j);
-    projectPiece(p.c, depth, count, j, clamp((x0 - a) / max(b - a, 1e-9), 0.0, 1.0), clamp((x1 - a) / max(b - a, 1e-9), 0.0, 1.0));
+    projectPiece(p.c, depth, count, j, clamp((x0 - a) / max(b - a, 1e-9), 0.0, 1.0),
+                 clamp((x1 - a) / max(b - a, 1e-9), 0.0, 1.0));
 #else
-    projectStep(BASIS, p.c, depth, metricU(METRIC, METRIC_COUNT, m, w, x0), metricU(METRIC, METRIC_COUNT, m, w, x1));
+    projectStep(BASIS, p.c, depth, metricU(METRIC, METRIC_COUNT, m, w, x0),
+                metricU(METRIC, METRIC_COUNT, m, w, x1));
 #endif
   } while (i < n);
 }
@@ -85,7 +91,8 @@ vec4 projectionLayer(Projection p, int layer) {
 #if BASIS != BASIS_PIECEWISE
   for (int j = 0; j < 4 && 4 * layer + j < BASIS_FLOATS; ++j) {
     int i = 4 * layer + j;
-    float k = BASIS == BASIS_FOURIER ? float((i + 1) / 2) : float(i), most = BASIS == BASIS_FOURIER ? float(BASIS_FLOATS / 2) : float(BASIS_FLOATS - 1);
+    float k = BASIS == BASIS_FOURIER ? float((i + 1) / 2) : float(i),
+          most = BASIS == BASIS_FOURIER ? float(BASIS_FLOATS / 2) : float(BASIS_FLOATS - 1);
     float x = kPi * k / (most + 1.0);
     v[j] *= k > 0.0 && BASIS != BASIS_SLAB ? sin(x) / x : 1.0;
   }

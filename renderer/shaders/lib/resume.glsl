@@ -1,6 +1,8 @@
-// llvmpipe ends all loops of an invocation, without a word, once they have run 65535 times in total, nested ones included; the 8 lanes of a
-// vector share that count. With RESUME 1 a march counts its own iterations, pauses where its share of them is used up, and leaves what the
-// next dispatch goes on from. Each lane may spend an eighth, so that 8 lanes that never wait in the same loop are within the limit too.
+// llvmpipe ends all loops of an invocation, without a word, once they have run 65535 times in total, nested
+// ones included; the 8 lanes of a vector share that count. With RESUME 1 a march counts its own iterations,
+// pauses where its share of them is used up, and leaves what the next dispatch goes on from. Each lane may
+// spend an eighth, so that 8 lanes that never wait in the same loop are within the limit too.
+// Without RESUME these functions are empty: a march runs to its end.
 #pragma once
 #include "shared/resume.h"
 #ifndef RESUME
@@ -9,12 +11,12 @@
 
 #if RESUME
 struct MarchState {
-  vec4 seen;    // radiance so far and T of a picture; the other light of a pair and T of an error pass
-  float t;      // where the stretch of the camera ray begins
-  int step;     // next one of that stretch
-  int light;    // first one whose part in that step is missing
-  int item;     // of the light's volumes to march through: the first one that is missing
-  float tau;    // of those before it
+  vec4 seen;  // whatever the pass has gathered of the ray so far
+  float t;    // where the stretch of the camera ray begins
+  int step;   // next one of that stretch
+  int light;  // first one whose part in that step is missing
+  int item;   // of the light's volumes to march through: the first one that is missing
+  float tau;  // of those before it
   int phase;
 };
 const int kInMedia = 0, kAtSolid = 1, kFinished = 2;
@@ -22,26 +24,95 @@ layout(std430, binding = BIND_MARCH_STATES) buffer MarchStates {
   int unfinished, unused_[3];
   MarchState states[];
 };
-uniform int dispatchIndex;            // 0: begin
-uniform int budget;                   // iterations a lane may begin its next piece of work with
+uniform int dispatchIndex;  // 0: begin
+uniform int budget;         // iterations a lane may begin its next piece of work with
 // Iterations of a stretch's list, of looking at a step, and of a sample but for its shadow marches.
 uniform int stretchCost, stepCost, sampleCost;
 
-MarchState state = MarchState(vec4(0.0, 0.0, 0.0, 1.0), 0.0, 0, 0, 0, 0.0, kInMedia);
+MarchState state = MarchState(vec4(0.0), 0.0, 0, 0, 0, 0.0, kInMedia);
 int spent = 0;
 bool paused = false;
 
-// Is light l still missing, and may it be begun now?
-bool lightIsDue(int l) { return l >= state.light && !paused; }
+void spend(int iterations) { spent += iterations; }
+void spendStretch() { spend(stretchCost); }
+void spendStep() { spend(stepCost); }
+void spendSample() { spend(sampleCost); }
 bool mustPause() { return spent >= budget; }
 
-// Behind the search for the next step with something in it: it found none, for the stretch is over or the budget is.
+// What the march of a slot has seen so far; as it is where that begins. False: it is finished.
+bool goOn(int slot, inout vec4 seen) {
+  if (dispatchIndex == 0) return true;
+  state = states[slot];
+  seen = state.seen;
+  return state.phase != kFinished;
+}
+// Behind all work of a dispatch.
+void keep(int slot, vec4 seen) {
+  state.seen = seen;
+  if (!paused) state.phase = kFinished;
+  states[slot] = state;
+  if (paused) atomicAdd(unfinished, 1);
+}
+
+// Where to go on.
+bool mediaAreDue() { return state.phase == kInMedia; }
+float firstT() { return state.t; }
+int firstStep() { return state.step; }
+// Is light l still missing, and may it be begun now?
+bool lightIsDue(int l) { return l >= state.light && !paused; }
+int firstItem() { return state.item; }
+float firstTau() { return state.tau; }
+
+// Behind the search for the next step with something in it: this one, ...
+void foundStep(int step) { state.step = step; }
+// ... or none, for the stretch is over or the budget is.
 void foundNothing(int next, int count) {
   paused = next < count;
   state.step = next;
   state.light = paused ? 0 : 1 << 30;
 }
-#define SPEND(iterations) spent += iterations
+// Behind a volume of a light's march: is it to wait here?
+bool pausesAtItem() {
+  paused = paused || mustPause();
+  return paused;
+}
+void itemsDone(int next, float tau) {
+  state.item = paused ? next : 0;
+  state.tau = paused ? tau : 0.0;
+}
+void lightDone(int l) { state.light = paused ? l : l + 1; }
+// `more`: there is something behind it to be done.
+void stepDone(int next, bool more) {
+  state.step = next, state.light = 0;
+  paused = mustPause() && more;
+}
+void stretchDone(float next, bool more) {
+  state.t = next, state.step = 0;
+  paused = mustPause() && more;
+}
+void mediaDone() { state.phase = paused ? kInMedia : kAtSolid; }
 #else
-#define SPEND(iterations)
+const bool paused = false;
+
+void spend(int iterations) {}
+void spendStretch() {}
+void spendStep() {}
+void spendSample() {}
+bool mustPause() { return false; }
+bool goOn(int slot, inout vec4 seen) { return true; }
+void keep(int slot, vec4 seen) {}
+bool mediaAreDue() { return true; }
+float firstT() { return 0.0; }
+int firstStep() { return 0; }
+bool lightIsDue(int l) { return true; }
+int firstItem() { return 0; }
+float firstTau() { return 0.0; }
+void foundStep(int step) {}
+void foundNothing(int next, int count) {}
+bool pausesAtItem() { return false; }
+void itemsDone(int next, float tau) {}
+void lightDone(int l) {}
+void stepDone(int next, bool more) {}
+void stretchDone(float next, bool more) {}
+void mediaDone() {}
 #endif

@@ -1,12 +1,14 @@
-// Reading shadow maps: lookupTransmittance is the one interface of all representations that keep something in the store.
-// Variant constants (shadow::lookupDefines): METRIC_FLOATS and BASIS_FLOATS (largest of the lights present), STORES, WEIGHTS, HORIZON,
-// LOOKUP_BASES (bit per BASIS_* of the extinction maps present), LIGHT_KINDS (bit 1 extinction, 3 transmittance functions, 4 deep), and where all mapped lights agree (UNIFORM_MAPS) their METRIC,
-// METRIC_COUNT, BASIS, COEFFICIENTS, so that nothing else is compiled in.
+// Reading shadow maps: lookupTransmittance is the one interface of all representations that keep something in
+// the store. Variant constants (shadow::lookupDefines): METRIC_FLOATS and BASIS_FLOATS (largest of the lights
+// present), STORES, WEIGHTS, HORIZON, LOOKUP_BASES (bit per BASIS_* of the extinction maps present),
+// LIGHT_KINDS (bit SHADOW_* for each kind present), and where all mapped lights agree (UNIFORM_MAPS) their
+// METRIC, METRIC_COUNT, BASIS, COEFFICIENTS, so that nothing else is compiled in.
 #pragma once
 #include "lib/shadow_blocks.glsl"
 #include "lib/mixed_bit.glsl"
 
-layout(binding = UNIT_SHADOW_DEEP) uniform usamplerBuffer shadowDeep;  // per map: headers (first vertex, count), then vertices (x, T)
+// Per map: headers (first vertex, count), then vertices (x, T).
+layout(binding = UNIT_SHADOW_DEEP) uniform usamplerBuffer shadowDeep;
 
 #ifdef UNIFORM_MAPS
 int metricOf(int light) { return METRIC; }
@@ -36,21 +38,25 @@ void loadCoefficients(int light, int face, vec2 at, out float c[BASIS_FLOATS]) {
   }
 }
 
-// Optical depth at x by the metric and coefficients at `at` [texels of the coefficients' block]. `covers`: the ray meets a medium at all.
-// What needs no coefficient is worked out before they are read, which takes as long.
+// Optical depth at x by the metric and coefficients at `at` [texels of the coefficients' block]. `covers`:
+// the ray meets a medium at all. What needs no coefficient is worked out before they are read, which takes as
+// long.
 float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
   float m[METRIC_FLOATS], w[kIntervals], c[BASIS_FLOATS];
   for (int i = 0; i < METRIC_FLOATS; ++i) m[i] = 1.0;
   for (int i = 0; i < kIntervals; ++i) w[i] = 1.0;
   int metric = metricOf(light);
-  if (metric != METRIC_NONE) loadMetricAt(light, face, at * (float(lights[light].metric.place.z) / float(lights[light].coefficients.place.z)), m, w);
-#if LOOKUP_BASES & 7
+  if (metric != METRIC_NONE)
+    loadMetricAt(light, face,
+                 at * (float(lights[light].metric.place.z) / float(lights[light].coefficients.place.z)), m,
+                 w);
+#if LOOKUP_BASES & ~PIECEWISE_BASES
   BasisPhase phase = basisPhase(basisOf(light), metricU(metric, metricCountOf(light), m, w, x));
 #endif
   loadCoefficients(light, face, at, c);
   covers = metric != METRIC_INTERVAL || m[1] > m[0];
   float tau = 0.0;
-#if LOOKUP_BASES & 8
+#if LOOKUP_BASES & PIECEWISE_BASES
   if (basisOf(light) == BASIS_PIECEWISE) {
     int count, j;
     float v;
@@ -58,16 +64,18 @@ float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
     tau = pieceTau(coefficientsOf(light), c, count, j, v);
   }
 #endif
-#if LOOKUP_BASES & 7
-#if LOOKUP_BASES & 8
+#if LOOKUP_BASES & ~PIECEWISE_BASES
+#if LOOKUP_BASES & PIECEWISE_BASES
   if (basisOf(light) != BASIS_PIECEWISE)
 #endif
     tau = basisTau(basisOf(light), coefficientsOf(light), c, phase);
 #endif
 #if HORIZON
   // Behind the horizon: a ramp from what is in front of it to all there is.
-  if ((lights[light].solids.z & 2) != 0) {
-    vec2 h = textureLod(shadowPair, storeCoordinates(lights[light].horizon, at, face, textureSize(shadowPair, 0)), 0.0).xy;
+  if ((lights[light].solids.z & LIGHT_HAS_HORIZON) != 0) {
+    vec2 h = textureLod(shadowPair,
+                        storeCoordinates(lights[light].horizon, at, face, textureSize(shadowPair, 0)), 0.0)
+                 .xy;
     float end = intervalsEnd(m);
     tau += x > end ? max(h.x - tau, 0.0) * clamp((x - end) / max(h.y - end, 1e-6), 0.0, 1.0) : 0.0;
   }
@@ -75,9 +83,10 @@ float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
   return tau;
 }
 
-// Within one kind of metric the hardware blends metric and coefficients and they are evaluated once; at silhouettes two rows, two columns
-// or four texels are evaluated each by its own metric and transmittance is blended. `inMedium`: what is lit lies in a medium, so that a
-// texel whose ray meets none says nothing about it; to a surface such a texel is as good as any.
+// Within one kind of metric the hardware blends metric and coefficients and they are evaluated once; at
+// silhouettes two rows, two columns or four texels are evaluated each by its own metric and transmittance is
+// blended. `inMedium`: what is lit lies in a medium, so that a texel whose ray meets none says nothing about
+// it; to a surface such a texel is as good as any.
 float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
   ivec4 place = lights[light].coefficients.place;
   int store = coefficientStoreOf(light), blend = BLEND_WHOLE;
@@ -86,8 +95,10 @@ float lookupExtinction(int light, int face, vec2 uv, float x, bool inMedium) {
     blend = blendOf(lowBits(place, store, base, face * coefficientLayersOf(light)), coefficientsOf(light));
   int taps = blend == BLEND_WHOLE ? 1 : blend == BLEND_NONE ? 4 : 2;
   // Axes along which texels are taken one by one; along the others the hardware blends, all at the first tap.
-  bvec2 single = bvec2(blend == BLEND_NONE || blend == BLEND_COLUMNS, blend == BLEND_NONE || blend == BLEND_ROWS);
-  vec2 first = mix(at, base + 0.5, single), second = mix(vec2(0.0), w, single);  // place of the first tap, share of the second along each axis
+  bvec2 single =
+      bvec2(blend == BLEND_NONE || blend == BLEND_COLUMNS, blend == BLEND_NONE || blend == BLEND_ROWS);
+  // Place of the first tap, share of the second along each axis.
+  vec2 first = mix(at, base + 0.5, single), second = mix(vec2(0.0), w, single);
   float transmittance = 0.0, weights = 0.0;
   int tap = 0;
   do {
@@ -125,7 +136,8 @@ float deepTransmittance(int base, ivec2 texel, int edge, int face, float x) {
     hi = behind ? hi : max(middle - 1, lo);
   } while (lo < hi);
   vec2 a = deepVertex(first + lo), b = deepVertex(first + min(lo + 1, int(header.y) - 1));
-  return clamp(mix(a.y, b.y, clamp((x - a.x) / max(b.x - a.x, 1e-9), 0.0, 1.0)), 0.0, 1.0);  // within its bound a vertex may lie outside
+  // Within its bound a vertex may lie outside.
+  return clamp(mix(a.y, b.y, clamp((x - a.x) / max(b.x - a.x, 1e-9), 0.0, 1.0)), 0.0, 1.0);
 }
 
 // Transmittances of the four texels are blended, never vertices.
@@ -149,16 +161,16 @@ float lookupTransmittance(int light, vec3 world, bool inMedium) {
   vec3 q = mapCoordinates(light, world, float(lights[light].coefficients.place.z), face);
   float x = clamp(q.z, 0.0, 1.0), T = 1.0;
   int kind = lights[light].shadow.x;
-#if (LIGHT_KINDS & 26) == 2
+#if (LIGHT_KINDS & MAPPED_SHADOWS) == (1 << SHADOW_EXTINCTION)
   T = lookupExtinction(light, face, q.xy, x, inMedium);
 #else
-#if LIGHT_KINDS & 2
+#if HAS_SHADOW(SHADOW_EXTINCTION)
   if (kind == SHADOW_EXTINCTION) T = lookupExtinction(light, face, q.xy, x, inMedium);
 #endif
-#if LIGHT_KINDS & 8
+#if HAS_SHADOW(SHADOW_TRANSMITTANCE)
   if (kind == SHADOW_TRANSMITTANCE) T = lookupSeries(light, face, q.xy, x);
 #endif
-#if LIGHT_KINDS & 16
+#if HAS_SHADOW(SHADOW_DEEP)
   if (kind == SHADOW_DEEP) T = lookupDeep(light, face, q.xy, x);
 #endif
 #endif

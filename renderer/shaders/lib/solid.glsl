@@ -16,8 +16,8 @@ const float kNoHit = 1e30;
 vec4 solidRow(int s, int row) { return texelFetch(solidTexels, s * SOLID_ROWS + row); }
 vec3 solidAlbedo(int s) { return solidRow(s, 8).rgb; }
 
-// The first t > tMin at which o + t d meets solid s, else kNoHit; `normal` (unit, world, against the ray) holds
-// for a hit only.
+// The first t > tMin at which o + t d meets solid s, else kNoHit; `normal` (unit, world, against the ray)
+// holds for a hit only.
 float hitSolid(int s, vec3 o, vec3 d, float tMin, out vec3 normal) {
   mat4 m = mat4(solidRow(s, 0), solidRow(s, 1), solidRow(s, 2), solidRow(s, 3));
   vec3 lo = (m * vec4(o, 1.0)).xyz, ld = (m * vec4(d, 0.0)).xyz;

@@ -1,4 +1,5 @@
-// Lists of volumes per tile of TILE x TILE pixels or texels (count, then fill; no cap). Built on the CPU by residency/tile_lists.
+// Lists of volumes per tile of TILE x TILE pixels or texels (count, then fill; no cap). Built on the CPU by
+// residency/tile_lists.
 #pragma once
 #include "shared/bindings.h"
 layout(binding = UNIT_TILE_OFFSETS) uniform isamplerBuffer tileOffsets;

@@ -1,7 +1,7 @@
 // Placed volumes and their voxels in the brick atlas.
-// llvmpipe runs both sides of every branch and tests a loop's end only after its body, so hot code here is free of branches, loops are
-// do-while, and what the scene does not hold is left out by the variant: SHAPES has bit 0 for grids, bit 1 for analytic shapes
-// and bit 2 for grids whose densities are remapped.
+// llvmpipe runs both sides of every branch and tests a loop's end only after its body, so hot code here is
+// free of branches, loops are do-while, and what the scene does not hold is left out by the variant: SHAPES
+// has the bits SHAPES_* of what there is.
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"
@@ -9,7 +9,7 @@
 #include "lib/resume.glsl"
 
 #ifndef SHAPES
-#define SHAPES 3
+#define SHAPES (SHAPES_GRID | SHAPES_EXACT)
 #endif
 
 layout(binding = UNIT_VOLUMES) uniform samplerBuffer volumeTexels;  // VolumeRecord v at texel v * VOLUME_ROWS
@@ -20,8 +20,12 @@ uniform vec3 atlasTexel;  // 1 / size of the atlas
 const float kBrick = 16.0, kStored = 18.0;
 
 vec4 volumeRow(int v, int row) { return texelFetch(volumeTexels, v * VOLUME_ROWS + row); }
-mat4 localFromWorld(int v) { return mat4(volumeRow(v, 0), volumeRow(v, 1), volumeRow(v, 2), volumeRow(v, 3)); }
-mat4 worldFromLocal(int v) { return mat4(volumeRow(v, 4), volumeRow(v, 5), volumeRow(v, 6), volumeRow(v, 7)); }
+mat4 localFromWorld(int v) {
+  return mat4(volumeRow(v, 0), volumeRow(v, 1), volumeRow(v, 2), volumeRow(v, 3));
+}
+mat4 worldFromLocal(int v) {
+  return mat4(volumeRow(v, 4), volumeRow(v, 5), volumeRow(v, 6), volumeRow(v, 7));
+}
 vec4 boundsMin(int v) { return volumeRow(v, 8); }
 vec4 boundsMax(int v) { return volumeRow(v, 9); }
 vec4 albedoOf(int v) { return volumeRow(v, 10); }
@@ -35,12 +39,12 @@ struct VolumeRay {
   int pages;         // its first page
   float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t; < 0: it only emits
   bool analytic;
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   vec4 remap;  // of the record
 #endif
 };
 
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
 // What a density of the voxels becomes (w), and the factor of the albedo that goes with it.
 vec4 remapped(vec4 remap, float density) {
   float place = clamp(density * remap.y + remap.z, 0.0, float(REMAP_ENTRIES - 1));
@@ -58,7 +62,9 @@ int levelFor(int v, float footprint) {
 }
 
 // March step [m] that resolves volume v at a footprint [m].
-float stepFor(int v, float footprint) { return max(detailOf(v), shapeOf(v).x == SHAPE_GRID ? footprint : 0.0); }
+float stepFor(int v, float footprint) {
+  return max(detailOf(v), shapeOf(v).x == SHAPE_GRID ? footprint : 0.0);
+}
 
 // The part (t0, t1) of the line inside volume v, and the line ready for sampling at a mip level.
 vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
@@ -71,14 +77,14 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   r.o = lo, r.d = ld;
   r.bricks = ivec3(1);
   r.pages = 0;
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   r.remap = volumeRow(v, 13);
 #endif
   vec2 hit = intersectBox(lo, ld, boxMin.xyz, boxMax.xyz);
-#if SHAPES & 2
+#if SHAPES & SHAPES_EXACT
   if (shape.x == SHAPE_BALL) hit = intersectBall(lo, ld);
 #endif
-#if SHAPES & 1
+#if SHAPES & SHAPES_GRID
   level = clamp(level, shape.w, max(shape.z - 1, 0));
   ivec4 record = texelFetch(levelTexels, shape.y + level);
   // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
@@ -98,8 +104,8 @@ vec2 extentOfVolume(int v, vec3 o, vec3 d) {
   return enterVolume(v, o, d, 0, r);
 }
 
-// The brick that answers for level position q. Positions in (-1, 0) exist on coarser levels (a coarse voxel's centre lies half a voxel
-// in): the first brick's near apron holds what they need.
+// The brick that answers for level position q. Positions in (-1, 0) exist on coarser levels (a coarse voxel's
+// centre lies half a voxel in): the first brick's near apron holds what they need.
 ivec3 brickAt(vec3 q) { return ivec3(floor(mix(q, max(q, vec3(0.0)), greaterThan(q, vec3(-1.0))) / kBrick)); }
 
 uvec4 pageOf(VolumeRay r, ivec3 b) {
@@ -112,7 +118,8 @@ uvec4 pageOf(VolumeRay r, ivec3 b) {
 float sampleBrick(uvec4 page, vec3 q, ivec3 b) {
   bool constant = page.x == PAGE_CONSTANT;
   uvec3 slot = (uvec3(page.x) >> uvec3(0u, 10u, 20u)) & 1023u;
-  vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;  // apron of one, texel centres at one half
+  // An apron of one, texel centres at one half.
+  vec3 texel = vec3(slot) * kStored + (q - vec3(b) * kBrick) + 1.5;
   float value = textureLod(brickAtlas, texel * atlasTexel, 0.0).r;
   return uintBitsToFloat(page.y) + (constant ? 0.0 : uintBitsToFloat(page.z) * value);
 }
@@ -129,14 +136,14 @@ float sampleGrid(int v, vec3 p, int level) {
   r.analytic = false;
   ivec3 b = brickAt(r.o);
   float density = sampleBrick(pageOf(r, b), r.o, b);
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   density = remapped(volumeRow(v, 13), density).w;
 #endif
   return density;
 }
 
 bool emptyPage(VolumeRay r, uvec4 page) {
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   return uintBitsToFloat(page.w) <= r.remap.w;
 #else
   return page.x == PAGE_CONSTANT && page.y == 0u;
@@ -151,11 +158,13 @@ float leaveBrick(VolumeRay r, float t) {
   return t + max(min(min(exits.x, exits.y), exits.z), 0.0);
 }
 
-bool emptyBrick(VolumeRay r, float t) { return !r.analytic && emptyPage(r, pageOf(r, brickAt(r.o + t * r.d))); }
+bool emptyBrick(VolumeRay r, float t) {
+  return !r.analytic && emptyPage(r, pageOf(r, brickAt(r.o + t * r.d)));
+}
 
 // Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
 float emptyUntil(VolumeRay r, float t) {
-#if SHAPES & 1
+#if SHAPES & SHAPES_GRID
   return emptyBrick(r, t) ? leaveBrick(r, t) : t;
 #else
   return t;
@@ -164,14 +173,15 @@ float emptyUntil(VolumeRay r, float t) {
 
 // At t: sigma_t [1/m] (w) and the factor of the albedo, or of what is emitted.
 vec4 mediumAt(VolumeRay r, float t) {
-#if SHAPES & 1
+#if SHAPES & SHAPES_GRID
   vec3 q = r.o + t * r.d;
   ivec3 b = brickAt(q);
   vec4 here = vec4(vec3(1.0), sampleBrick(pageOf(r, b), q, b));
-#if SHAPES & 4
+#if SHAPES & SHAPES_REMAPPED
   here = remapped(r.remap, here.w);
 #endif
-  return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0)) : vec4(here.rgb, max(r.extinction * here.w, 0.0));
+  return r.analytic ? vec4(vec3(1.0), max(r.extinction, 0.0))
+                    : vec4(here.rgb, max(r.extinction * here.w, 0.0));
 #else
   return vec4(vec3(1.0), max(r.extinction, 0.0));
 #endif
@@ -181,11 +191,13 @@ vec4 mediumAt(VolumeRay r, float t) {
 float sigmaAt(VolumeRay r, float t) { return mediumAt(r, t).w; }
 
 // The first of the steps t0 + (i + offset) ds at or behind t, but not before i.
-int stepAtOrBehind(int i, float t, float t0, float offset, float ds) { return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6))); }
+int stepAtOrBehind(int i, float t, float t0, float offset, float ds) {
+  return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6)));
+}
 
-// Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of `scale` details. Samples are taken
-// MARCH_UNROLL at a time (written out: a loop would cost iterations); in empty bricks they are zeros, and where a group begins in one it is
-// left at once.
+// Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of
+// `scale` details. Samples are taken MARCH_UNROLL at a time (written out: a loop would cost iterations); in
+// empty bricks they are zeros, and where a group begins in one it is left at once.
 #define MARCH_SAMPLE(j) \
   sum += i + j < n ? sigmaAt(r, begin + float(j) * ds) : 0.0;
 float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
@@ -202,7 +214,7 @@ float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
     int next = stepAtOrBehind(i, emptyUntil(r, begin), t0, 0.5, ds);
     MARCH_SAMPLE(0) MARCH_SAMPLE(1) MARCH_SAMPLE(2) MARCH_SAMPLE(3)
     i = max(next, i + MARCH_UNROLL);
-    SPEND(1);
+    spend(1);
   } while (i < n);
   return sum * ds;
 }

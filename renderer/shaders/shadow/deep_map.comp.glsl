@@ -1,14 +1,16 @@
-// Deep shadow map (Lokovic and Veach 2000): per texel a piecewise-linear transmittance over x, compressed in one pass so that it never
-// errs by more than a bound: a window of slopes through the last vertex is narrowed until the next point would empty it.
-// FILL 0 counts vertices (of the raw function too); FILL 1 writes them where the header says.
-// FILTER: light rays along a texel's edge whose transmittance is averaged (the paper's prefiltering).
+// Deep shadow map (Lokovic and Veach 2000): per texel a piecewise-linear transmittance over x, compressed in
+// one pass so that it never errs by more than a bound: a window of slopes through the last vertex is narrowed
+// until the next point would empty it. FILL 0 counts vertices (of the raw function too); FILL 1 writes them
+// where the header says. FILTER: light rays along a texel's edge whose transmittance is averaged (the paper's
+// prefiltering).
 #include "lib/ordered_march.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 #if FILL
 layout(rg32ui, binding = IMAGE_TARGET) writeonly uniform uimageBuffer vertices;
 uniform int blockFirst;  // of the map in the buffer
 #endif
-layout(rgba32ui, binding = IMAGE_TARGET + 1) uniform uimage2D counts;  // kept, raw, doublings of the bound, first vertex
+// Kept, raw, doublings of the bound, first vertex.
+layout(rgba32ui, binding = IMAGE_TARGET + 1) uniform uimage2D counts;
 uniform float errorBound;
 uniform int nodeBudget, doublings;
 const int kRays = FILTER * FILTER;
@@ -18,11 +20,14 @@ float lastX = 0.0, lastT = 1.0, slopeLow = -1e30, slopeHigh = 1e30, seenX = 0.0,
 int kept = 0, raw = 0, firstVertex = 0;
 
 // The bound after so many doublings; one that is next to nothing starts from where floats can tell.
-float boundAfter(int doublings) { return doublings == 0 ? errorBound : max(errorBound, 5e-5) * exp2(float(doublings)); }
+float boundAfter(int doublings) {
+  return doublings == 0 ? errorBound : max(errorBound, 5e-5) * exp2(float(doublings));
+}
 
 void emit(float x, float T) {
 #if FILL
-  imageStore(vertices, blockFirst + firstVertex + kept, uvec4(floatBitsToUint(x), floatBitsToUint(T), 0u, 0u));
+  imageStore(vertices, blockFirst + firstVertex + kept,
+             uvec4(floatBitsToUint(x), floatBitsToUint(T), 0u, 0u));
 #endif
   ++kept;
   lastX = x, lastT = T;
@@ -32,9 +37,11 @@ void emit(float x, float T) {
 void addPoint(float x, float T) {
   if (x <= seenX) return;  // a jump of two rays at one place: the later one counts from here on
   ++raw;
-  float d = x - lastX, lo = max(slopeLow, (T - bound - lastT) / d), hi = min(slopeHigh, (T + bound - lastT) / d);
+  float d = x - lastX;
+  float lo = max(slopeLow, (T - bound - lastT) / d), hi = min(slopeHigh, (T + bound - lastT) / d);
   if (lo > hi) {
-    // Of all slopes that keep the bound the one nearest to where the function goes: the next line gets further than from the middle.
+    // Of all slopes that keep the bound the one nearest to where the function goes: the next line gets
+    // further than from the middle.
     bool above = (T - bound - lastT) / d > slopeHigh;
     emit(seenX, lastT + (above ? slopeHigh : slopeLow) * (seenX - lastX));
     d = x - lastX;
@@ -45,14 +52,16 @@ void addPoint(float x, float T) {
 }
 
 void compress(MapTexel mt) {
-  OrderedMarch march[kRays];
+  Stretch march[kRays];
   float T[kRays], a[kRays], b[kRays], sigma[kRays];
   float length_ = 1.0;
   ivec2 range = tileRange(mt.tall);
   for (int r = 0; r < kRays; ++r) {
-    vec2 uv = (vec2(mt.texel) + (vec2(float(r % FILTER), float(r / FILTER)) + 0.5) / float(FILTER)) / float(mapEdge);
-    march[r] = beginMarch(mapRay(0, mt.face, uv, float(mapEdge)), range);
-    length_ = march[r].ray.length;
+    vec2 uv = (vec2(mt.texel) + (vec2(float(r % FILTER), float(r / FILTER)) + 0.5) / float(FILTER)) /
+              float(mapEdge);
+    MapRay ray = mapRay(0, mt.face, uv, float(mapEdge));
+    march[r] = beginMarch(ray, range);
+    length_ = ray.length;
     T[r] = 1.0;
 #if WINDOWED
     if (!firstWindow()) T[r] = windowStates[stateSlot(kRays + 8) + 8 + r];
@@ -64,8 +73,10 @@ void compress(MapTexel mt) {
 #if WINDOWED
   int slot = stateSlot(kRays + 8);
   if (!firstWindow()) {
-    lastX = windowStates[slot], lastT = windowStates[slot + 1], slopeLow = windowStates[slot + 2], slopeHigh = windowStates[slot + 3], seenX = windowStates[slot + 4];
-    kept = int(windowStates[slot + 5]), raw = int(windowStates[slot + 6]), begun = windowStates[slot + 7] > 0.0;
+    lastX = windowStates[slot], lastT = windowStates[slot + 1];
+    slopeLow = windowStates[slot + 2], slopeHigh = windowStates[slot + 3], seenX = windowStates[slot + 4];
+    kept = int(windowStates[slot + 5]), raw = int(windowStates[slot + 6]);
+    begun = windowStates[slot + 7] > 0.0;
   }
 #endif
   int guard = 0;
@@ -89,11 +100,14 @@ void compress(MapTexel mt) {
     if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
   }
 #if WINDOWED
-  windowStates[slot] = lastX, windowStates[slot + 1] = lastT, windowStates[slot + 2] = slopeLow, windowStates[slot + 3] = slopeHigh, windowStates[slot + 4] = seenX;
-  windowStates[slot + 5] = float(kept), windowStates[slot + 6] = float(raw), windowStates[slot + 7] = begun ? 1.0 : 0.0;
+  windowStates[slot] = lastX, windowStates[slot + 1] = lastT;
+  windowStates[slot + 2] = slopeLow, windowStates[slot + 3] = slopeHigh, windowStates[slot + 4] = seenX;
+  windowStates[slot + 5] = float(kept), windowStates[slot + 6] = float(raw);
+  windowStates[slot + 7] = begun ? 1.0 : 0.0;
   for (int r = 0; r < kRays; ++r) windowStates[slot + 8 + r] = T[r];
 #endif
-  if (begun && seenX > lastX && lastWindow()) emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
+  if (begun && seenX > lastX && lastWindow())
+    emit(seenX, lastT + 0.5 * (slopeLow + slopeHigh) * (seenX - lastX));
 }
 
 void main() {
@@ -106,7 +120,8 @@ void main() {
   firstVertex = int(count.w);
   if (count.x > 0u) compress(mt);
 #else
-  // One compression a dispatch: a texel over its budget is counted again by the next one, with twice the bound.
+  // One compression a dispatch: a texel over its budget is counted again by the next one, with twice the
+  // bound.
   if (doublings > 0) {
     count = imageLoad(counts, mt.tall);
     if (int(count.x) <= nodeBudget) return;

@@ -1,18 +1,14 @@
-// Extinction map: optical depth of every volume along the texel's light ray, projected at u(x) in any order (gather: one thread a
-// texel, float registers, one store). Projecting m = sigma ds keeps the end of the ray exact for any metric.
-// BATCHED 1: so many volumes that llvmpipe would end the loops early (65535 iterations an invocation): a dispatch takes batch.y volumes of
-// each list, and sums wait in `sums` for the next one.
+// Extinction map: optical depth of every volume along the texel's light ray, projected at u(x) in any order
+// (gather: one thread a texel, float registers, one store). Projecting m = sigma ds keeps the end of the ray
+// exact for any metric. BATCHED 1: so many volumes that llvmpipe would end the loops early (65535 iterations
+// an invocation): a dispatch takes batch.y volumes of each list, and sums wait in `sums` for the next one.
 #include "lib/tiles.glsl"
 #include "lib/shadow_blocks.glsl"
 #include "lib/footprint.glsl"
 #include "lib/project_volume.glsl"
+#include "lib/coefficient_target.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
-#if STORE == STORE_FLOAT
-layout(rgba32f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
-#else
-layout(rgba16f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
-#endif
 #if HORIZON
 layout(rg16f, binding = IMAGE_TARGET + 1) writeonly uniform image2DArray horizonTarget;
 #endif
@@ -42,7 +38,9 @@ void main() {
   Projection p = emptyProjection();
   ivec2 range = tileRange(mt.tall);
 #if BATCHED
-  int slot = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x) * (BASIS_FLOATS + 2);
+  int slot =
+      int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x) *
+      (BASIS_FLOATS + 2);
   if (batch.x > 0) {
     for (int i = 0; i < BASIS_FLOATS; ++i) p.c[i] = sums[slot + i];
     p.behind = sums[slot + BASIS_FLOATS], p.last = sums[slot + BASIS_FLOATS + 1];
@@ -75,6 +73,7 @@ void main() {
   pieceOf(m, 1.0, count, j, v);
   for (int i = 1; i < BASIS_FLOATS; ++i) front += i < count ? p.c[i] : 0.0;
 #endif
-  imageStore(horizonTarget, ivec3(lights[0].horizon.xy + mt.texel, lights[0].horizon.w + mt.face), vec4(min(front + p.behind, 65504.0), p.last, 0.0, 0.0));
+  imageStore(horizonTarget, ivec3(lights[0].horizon.xy + mt.texel, lights[0].horizon.w + mt.face),
+             vec4(min(front + p.behind, 65504.0), p.last, 0.0, 0.0));
 #endif
 }

@@ -18,5 +18,6 @@ void main() {
   loadMetric(0, mt.face, uv, m, w);
   ivec3 at = ivec3(block.place.xy + mt.texel, block.place.w + mt.face * block.kind.y);
   vec4 first = imageLoad(target, at);
-  imageStore(target, at, withBlend(first, footprintBlend(mt.face, uv, 1.0 / float(mapEdge), m, w), COEFFICIENTS, STORE));
+  imageStore(target, at,
+             withBlend(first, footprintBlend(mt.face, uv, 1.0 / float(mapEdge), m, w), COEFFICIENTS, STORE));
 }

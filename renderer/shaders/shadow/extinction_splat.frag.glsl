@@ -1,5 +1,5 @@
-// One volume's part of an extinction map, added to what is there (Gautron et al. 2011, pass 2): volumes may come in any order, over
-// several frames. Half maps are rounded after each volume.
+// One volume's part of an extinction map, added to what is there (Gautron et al. 2011, pass 2): volumes may
+// come in any order, over several frames. Half maps are rounded after each volume.
 #include "lib/shadow_blocks.glsl"
 #include "lib/project_volume.glsl"
 layout(location = 0) out vec4 target[(BASIS_FLOATS + 3) / 4];

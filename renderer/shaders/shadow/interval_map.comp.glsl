@@ -1,8 +1,9 @@
-// Interval pseudometric: per light texel the union of what the volumes cover on its ray, reduced to INTERVALS by closing the smallest
-// gaps. A grid covers its runs of occupied bricks (BRICKS 1) or its whole box. Layers hold (a0, b0, a1, b1), ...; unused intervals are
-// a = b = 1.
-// PROBES > 0: that many coarse samples of extinction over what is covered tell the intervals' weights (WEIGHTS 1: root of the mean
-// extinction, relative to the largest, in 8 bits) and where the optical depth passes `horizon`: there the last interval ends.
+// Interval pseudometric: per light texel the union of what the volumes cover on its ray, reduced to INTERVALS
+// by closing the smallest gaps. A grid covers its runs of occupied bricks (BRICKS 1) or its whole box. Layers
+// hold (a0, b0, a1, b1), ...; unused intervals are a = b = 1. PROBES > 0: that many coarse samples of
+// extinction over what is covered tell the intervals' weights (WEIGHTS 1: root of the mean extinction,
+// relative to the largest, in 8 bits) and where the optical depth passes `horizon`: there the last interval
+// ends.
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
 #include "lib/map_texel.glsl"
@@ -51,10 +52,10 @@ vec2 coverageFrom(int v, float x) {
 }
 
 #if PROBES
-// Extinction at PROBES places spread over the intervals, at least two in each; `of`: the interval of a probe, `width` [x] what it
-// stands for.
-void probe(ivec2 range, float a[INTERVALS + 1], float b[INTERVALS + 1], int count, out float at[PROBES], out float width[PROBES], out int of[PROBES],
-           out float sigma[PROBES]) {
+// Extinction at PROBES places spread over the intervals, at least two in each; `of`: the interval of a probe,
+// `width` [x] what it stands for.
+void probe(ivec2 range, float a[INTERVALS + 1], float b[INTERVALS + 1], int count, out float at[PROBES],
+           out float width[PROBES], out int of[PROBES], out float sigma[PROBES]) {
   float covered = 0.0;
   for (int j = 0; j < INTERVALS; ++j) covered += j < count ? b[j] - a[j] : 0.0;
   int k = 0;
@@ -71,7 +72,9 @@ void probe(ivec2 range, float a[INTERVALS + 1], float b[INTERVALS + 1], int coun
   for (int item = range.x; item < range.y; ++item) {
     int v = tileItem(item);
     VolumeRay r;
-    vec2 hit = enterVolume(v, rayOrigin, rayDirection, levelFor(v, max(footprintAt(a[0] * rayLength), covered * rayLength / float(PROBES))), r);
+    vec2 hit =
+        enterVolume(v, rayOrigin, rayDirection,
+                    levelFor(v, max(footprintAt(a[0] * rayLength), covered * rayLength / float(PROBES))), r);
     for (int i = 0; i < PROBES; ++i) {
       if (i >= k) break;
       float t = at[i] * rayLength;
@@ -91,8 +94,8 @@ void main() {
   rayLength = ray.length;
   ivec2 range = tileRange(mt.tall);
 
-  // Sorted disjoint union, swept without storing more than INTERVALS + 1: dropping the smallest gap whenever one interval is too many
-  // leaves exactly the largest gaps, whatever the order of the volumes.
+  // Sorted disjoint union, swept without storing more than INTERVALS + 1: dropping the smallest gap whenever
+  // one interval is too many leaves exactly the largest gaps, whatever the order of the volumes.
   float a[INTERVALS + 1], b[INTERVALS + 1];
   int count = 0;
   float behind = -1.0;
@@ -156,8 +159,12 @@ void main() {
     }
     for (int layer = 0; layer < (INTERVALS + 3) / 4; ++layer) {
       vec4 v = vec4(1.0);
-      for (int k = 0; k < 4 && 4 * layer + k < INTERVALS; ++k) v[k] = most > 0.0 ? max(round(255.0 * w[4 * layer + k] / most), 1.0) / 255.0 : 1.0;
-      imageStore(weightTarget, ivec3(lights[0].weights.xy + mt.texel, lights[0].weights.w + mt.face * ((INTERVALS + 3) / 4) + layer), v);
+      for (int k = 0; k < 4 && 4 * layer + k < INTERVALS; ++k)
+        v[k] = most > 0.0 ? max(round(255.0 * w[4 * layer + k] / most), 1.0) / 255.0 : 1.0;
+      imageStore(weightTarget,
+                 ivec3(lights[0].weights.xy + mt.texel,
+                       lights[0].weights.w + mt.face * ((INTERVALS + 3) / 4) + layer),
+                 v);
     }
 #endif
   }

@@ -1,5 +1,5 @@
-// Transmittance between light 0 and given world positions, by whatever shadow the light has: what error measurements look at. The work
-// groups of a row make the same lookups, over and over for timing.
+// Transmittance between light 0 and given world positions, by whatever shadow the light has: what error
+// measurements look at. The work groups of a row make the same lookups, over and over for timing.
 #include "lib/light_transmittance.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { vec4 positions[]; };

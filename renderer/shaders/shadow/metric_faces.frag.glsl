@@ -1,5 +1,5 @@
-// Adds the antiderivatives of the basis at this face; exit minus entry is the box's coverage. Depth clamp is on and t is clamped, so
-// a face cut off by the near or far plane still counts.
+// Adds the antiderivatives of the basis at this face; exit minus entry is the box's coverage. Depth clamp is
+// on and t is clamped, so a face cut off by the near or far plane still counts.
 #include "lib/metric.glsl"
 flat in float side;
 in vec3 inLight;

@@ -1,4 +1,5 @@
-// The twelve triangles of one volume's local box, seen from the light (Gautron et al. 2011: bounding boxes rasterised additively).
+// The twelve triangles of one volume's local box, seen from the light (Gautron et al. 2011: bounding boxes
+// rasterised additively).
 #include "lib/volume.glsl"
 #include "lib/light.glsl"
 uniform int face, mapEdge;
@@ -9,15 +10,17 @@ flat out vec4 depthOf; // x: of inLight.z (sun), or y: near, z: depth for a dist
 void main() {
   int v = gl_InstanceID, box = gl_VertexID / 6, corner = gl_VertexID % 6;
   int axis = box >> 1, positive = box & 1;
-  const ivec2 quad[6] = ivec2[6](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 0), ivec2(1, 1), ivec2(0, 1));
+  const ivec2 quad[6] =
+      ivec2[6](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 0), ivec2(1, 1), ivec2(0, 1));
   vec3 c;
   c[axis] = float(positive);
   c[(axis + 1) % 3] = float(quad[corner].x);
   c[(axis + 2) % 3] = float(quad[corner].y);
   vec3 local = mix(boundsMin(v).xyz, boundsMax(v).xyz, c);
   vec3 q = (lights[0].lightFromWorld * (worldFromLocal(v) * vec4(local, 1.0))).xyz;
-  // The outward normal against the ray, both in local space: true for mirrored placements too. A face that lies wholly in front of a
-  // local light's plane is entered or left alike everywhere, so any point of it tells.
+  // The outward normal against the ray, both in local space: true for mirrored placements too. A face that
+  // lies wholly in front of a local light's plane is entered or left alike everywhere, so any point of it
+  // tells.
   bool sun = lights[0].items.w == LIGHT_SUN;
   vec3 eye = (localFromWorld(v) * vec4(lights[0].position.xyz, 1.0)).xyz;
   vec3 onFace = mix(boundsMin(v).xyz, boundsMax(v).xyz, 0.5);

@@ -1,18 +1,15 @@
-// Transmittance function map (Delalandre et al. 2011): T itself, marched in order, projected on a basis over plain distance x.
+// Transmittance function map (Delalandre et al. 2011): T itself, marched in order, projected on a basis over
+// plain distance x.
 #include "lib/basis.glsl"
 #include "lib/ordered_march.glsl"
+#include "lib/coefficient_target.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-#if STORE == STORE_FLOAT
-layout(rgba32f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
-#else
-layout(rgba16f, binding = IMAGE_TARGET) writeonly uniform image2DArray target;
-#endif
 
 void main() {
   MapTexel mt = mapTexelOf(gl_GlobalInvocationID.xy);
   if (!mt.valid) return;
   MapRay ray = mapRay(0, mt.face, texelUv(mt), float(mapEdge));
-  OrderedMarch march = beginMarch(ray, tileRange(mt.tall));
+  Stretch march = beginMarch(ray, tileRange(mt.tall));
   float c[BASIS_FLOATS];
   for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
   float T = 1.0, done = 0.0, a, b, sigma;
@@ -32,7 +29,8 @@ void main() {
     // In pieces short against a basis period: sinc is a series.
     int pieces = int(ceil((from - done) * 2.0 * float(BASIS_FLOATS) - 1e-4));
     for (int piece = 0; piece < pieces; ++piece) {
-      float x0 = mix(done, from, float(piece) / float(pieces)), x1 = mix(done, from, float(piece + 1) / float(pieces));
+      float x0 = mix(done, from, float(piece) / float(pieces)),
+            x1 = mix(done, from, float(piece + 1) / float(pieces));
       projectStep(BASIS, c, T * (x1 - x0), x0, x1);
     }
     float depth = more ? sigma * (b - a) : 0.0;

@@ -1,6 +1,6 @@
 // Binding points, read by C++ and GLSL.
-// What shaders read at random goes through buffer textures: llvmpipe gathers texels in vectors but loads storage buffers lane by lane
-// (measured: 5 to 10 times slower). Lights are a uniform block.
+// What shaders read at random goes through buffer textures: llvmpipe gathers texels in vectors but loads
+// storage buffers lane by lane (measured: 5 to 10 times slower). Lights are a uniform block.
 #define BIND_LIGHTS 3
 #define BIND_TEST_IN 7
 #define BIND_TEST_OUT 8

@@ -1,9 +1,11 @@
-// What camera marches keep between dispatches where one cannot run them to the end; read by C++ and GLSL.
+// What marches keep between dispatches where one cannot run them to the end; read by C++ and GLSL.
 #ifdef __cplusplus
 #pragma once
 #endif
 #define BIND_MARCH_STATES 5
-#define MARCH_STATE_BYTES 48     // of one pixel of the region; in front of them 16 bytes that begin with the number of unfinished pixels
-#define MARCH_UNROLL 4           // samples of a shadow march per loop iteration (measured: 8 make short marches slower)
+// Of one pixel of the region; in front of them 16 bytes that begin with the number of unfinished pixels.
+#define MARCH_STATE_BYTES 48
+// Samples of a shadow march per loop iteration (measured: 8 make short marches slower).
+#define MARCH_UNROLL 4
 #define MARCH_MOST_STEPS 16384   // of one volume's shadow march
-#define CAMERA_MOST_STEPS 8192   // of one stretch of a camera ray
+#define STRETCH_MOST_STEPS 8192  // of one stretch of a ray

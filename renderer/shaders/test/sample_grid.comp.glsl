@@ -1,4 +1,5 @@
-// Samples volume 0 at given local positions, for the tests that compare voxels and trilinear values with the CPU's.
+// Samples volume 0 at given local positions, for the tests that compare voxels and trilinear values with the
+// CPU's.
 #include "lib/volume.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { vec4 positions[]; };

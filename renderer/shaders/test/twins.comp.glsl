@@ -13,7 +13,8 @@ void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
   int a = i * 64, o = i * 40;
-  vec3 ro = vec3(inputs[a], inputs[a + 1], inputs[a + 2]), rd = vec3(inputs[a + 3], inputs[a + 4], inputs[a + 5]);
+  vec3 ro = vec3(inputs[a], inputs[a + 1], inputs[a + 2]),
+       rd = vec3(inputs[a + 3], inputs[a + 4], inputs[a + 5]);
   vec2 box = intersectBox(ro, rd, vec3(-0.5), vec3(0.5)), ball = intersectBall(ro, rd);
   outputs[o] = box.x, outputs[o + 1] = box.y, outputs[o + 2] = ball.x, outputs[o + 3] = ball.y;
   outputs[o + 4] = phaseHg(inputs[a + 6], inputs[a + 7]);
@@ -24,7 +25,8 @@ void main() {
   outputs[o + 5] = metricU(metric, metricCount, m, w, x);
   outputs[o + 6] = metricFace(metric, i % 8, x);
   outputs[o + 7] = basisTau(basis, BASIS_FLOATS, c, basisPhase(basis, x));
-  outputs[o + 17] = basisTau(basis, 1 + i % 7, c, basisPhase(basis, x));  // fewer than the variant has room for
+  // Fewer than the variant has room for.
+  outputs[o + 17] = basisTau(basis, 1 + i % 7, c, basisPhase(basis, x));
   outputs[o + 16] = basisValue(basis, BASIS_FLOATS, c, x);
   for (int k = 0; k < BASIS_FLOATS; ++k) c[k] = 0.0;
   projectStep(basis, c, inputs[a + 9], inputs[a + 10], inputs[a + 11]);

@@ -1,4 +1,5 @@
-// Gain, OCIO display transform (its text, ocioDisplay, is put in front of this file), gamma, dither of one code value, channel, clip marks.
+// Gain, OCIO display transform (its text, ocioDisplay, is put in front of this file), gamma, dither of one
+// code value, channel, clip marks.
 #include "shared/bindings.h"
 in vec2 uv;
 layout(location = 0) out vec4 color;
@@ -33,7 +34,9 @@ vec4 resampled() {
 }
 
 // Interleaved gradient noise (Jimenez 2014), zero mean, one code value of 8 bits wide.
-float dither(vec2 p) { return (fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0; }
+float dither(vec2 p) {
+  return (fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+}
 
 float luminance(vec3 c) { return dot(c, vec3(0.2722287, 0.6740818, 0.0536895)); }  // of ACEScg
 
@@ -68,7 +71,8 @@ void main() {
     shown = light ? viewed(c.rgb * gain) : asData(c.r, c.a);
   }
   if (light && falseColor == 0 && inverseGamma != 1.0) shown = pow(max(shown, vec3(0.0)), vec3(inverseGamma));
-  bool over = light && falseColor == 0 && any(greaterThanEqual(shown, vec3(0.9999))), under = light && falseColor == 0 && any(lessThan(shown, vec3(-0.0005)));
+  bool over = light && falseColor == 0 && any(greaterThanEqual(shown, vec3(0.9999))),
+       under = light && falseColor == 0 && any(lessThan(shown, vec3(-0.0005)));
   shown += dither(gl_FragCoord.xy);
   if (channel >= kRed && channel <= kBlue) shown = vec3(shown[channel - kRed]);
   if (zebra != 0 && (over || under)) {

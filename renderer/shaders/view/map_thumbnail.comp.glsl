@@ -1,4 +1,5 @@
-// Tiles of a shadow map, one for each value of a texel: a work group looks at the whole map for the largest value, then colours it.
+// Tiles of a shadow map, one for each value of a texel: a work group looks at the whole map for the largest
+// value, then colours it.
 #include "shared/bindings.h"
 
 #define SIGNED 0
@@ -31,7 +32,8 @@ vec2 valueAt(ivec2 texel, int i) {
 
 vec3 shade(float v) {
   if (mode == SIGNED) return v < 0.0 ? mix(middle, low, min(-v, 1.0)) : mix(middle, high, min(v, 1.0));
-  return v < 0.5 ? mix(low, middle, 2.0 * clamp(v, 0.0, 1.0)) : mix(middle, high, 2.0 * clamp(v, 0.0, 1.0) - 1.0);
+  return v < 0.5 ? mix(low, middle, 2.0 * clamp(v, 0.0, 1.0))
+                 : mix(middle, high, 2.0 * clamp(v, 0.0, 1.0) - 1.0);
 }
 
 void main() {
@@ -40,7 +42,8 @@ void main() {
   int stride = max(place.z / 64, 1);  // 64 samples a side tell the largest well enough
   float most = 0.0;
   for (int y = int(gl_LocalInvocationID.y) * stride; y < place.z; y += 16 * stride)
-    for (int x = int(gl_LocalInvocationID.x) * stride; x < place.z; x += 16 * stride) most = max(most, abs(valueAt(ivec2(x, y), i).x));
+    for (int x = int(gl_LocalInvocationID.x) * stride; x < place.z; x += 16 * stride)
+      most = max(most, abs(valueAt(ivec2(x, y), i).x));
   largest[lane] = most;
   barrier();
   for (uint s = 128u; s > 0u; s >>= 1) {

@@ -28,6 +28,9 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
     {"renderer/view",
      {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
       "renderer/shaders", "renderer/residency", "renderer/shadow"}},
+    {"renderer/truth",
+     {"renderer/base", "renderer/scene", "renderer/volume", "renderer/image", "renderer/gl",
+      "renderer/shaders", "renderer/residency", "renderer/shadow", "renderer/view"}},
     // The rooms of nodes/ may use all of renderer/ besides.
     {"nodes/declare", {}},
     {"nodes/graph", {"nodes/declare"}},

@@ -20,7 +20,8 @@ void main() {
   if (show == SHOW_RADIANCE_ERROR) {
     shown = falseColour(dot(a.rgb - b.rgb, vec3(0.2722287, 0.6740818, 0.0536895)));  // luminance of ACEScg
   } else if (show == SHOW_SHADOW_ERROR) {
-    shown = falseColour(a.x / max(b.z, 1e-6) * smoothstep(0.0, 0.02, b.z));  // what is hardly there is hardly shown
+    // What is hardly there is hardly shown.
+    shown = falseColour(a.x / max(b.z, 1e-6) * smoothstep(0.0, 0.02, b.z));
   } else if (show == SHOW_WORST_ERROR) {
     shown = falseColour(a.z);
   } else {

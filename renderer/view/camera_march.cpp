@@ -1,9 +1,13 @@
-#include "renderer/view/camera_rays.h"
+#include "renderer/view/camera_march.h"
 
 #include <cmath>
 
-namespace pileus::view {
+#include "renderer/view/march_cost.h"
 
+namespace pileus::view {
+namespace {
+
+/// Pixels each instance may touch; the whole picture where a corner is beside or behind the eye.
 std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance> instances,
                                                 const RenderOptions& o) {
   const glm::dmat3 axes = scene::basis(o.camera);
@@ -37,7 +41,11 @@ std::vector<residency::PixelBounds> pixelBounds(std::span<const volume::Instance
   return out;
 }
 
-void setCameraRays(gl::Program& program, const RenderOptions& o) {
+std::span<const volume::Instance> drawn(const LightSet& lights) {
+  return std::span(lights.volumes()).first(lights.drawnVolumes());
+}
+
+void setCamera(gl::Program& program, const RenderOptions& o) {
   const glm::dmat3 axes = scene::basis(o.camera);
   const double th = std::tan(glm::radians(o.camera.fov) / 2);
   program.set("size", o.size);
@@ -47,6 +55,32 @@ void setCameraRays(gl::Program& program, const RenderOptions& o) {
   program.set("back", vec3(axes[2]));
   program.set("pixelAngle", static_cast<float>(2 * th / o.size.y));
   program.set("stepScale", static_cast<float>(o.stepScale));
+}
+
+}  // namespace
+
+void CameraMarch::list(const RenderOptions& options, const LightSet& lights) {
+  bounds_ = pixelBounds(drawn(lights), options);
+  run.list(options.size, bounds_);
+}
+
+void CameraMarch::plan(residency::MarchBudget& budget, const RenderOptions& options, const LightSet& lights,
+                       const gl::DeviceInfo& device, int lane) const {
+  budget.plan(marchCost(options, drawn(lights), bounds_, run.longestList(), lights), device, lane);
+}
+
+Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry,
+                                       const RenderOptions& options, const LightSet& lights,
+                                       const residency::MarchBudget& budget,
+                                       const gl::Defines& defines) const {
+  gl::Defines all = lights.defines();
+  for (const gl::Defines& more : {run.defines(), defines}) all.insert(all.end(), more.begin(), more.end());
+  all.insert(all.end(), {{"SOLIDS", lights.drawnSolids() > 0}, {"RESUME", budget.resumes()}});
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({entry}, all));
+  run.bind(gpu.bricks, *program);
+  setCamera(*program, options);
+  program->set("solidCount", int(lights.drawnSolids()));
+  return program;
 }
 
 }  // namespace pileus::view

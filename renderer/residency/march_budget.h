@@ -1,29 +1,20 @@
 #pragma once
 // llvmpipe ends all loops of a shader invocation, without a word, once they have run 65535 times in total.
-// What a camera march through a scene may cost, and the dispatches it takes to stay below
-// (shaders/lib/resume.glsl). Elsewhere there is no such limit.
-#include <span>
-
+// The dispatches a march takes to stay below, by what it may cost (shaders/lib/resume.glsl). Elsewhere there
+// is no such limit. GL thread.
 #include "renderer/gl/buffer.h"
+#include "renderer/gl/context.h"
 #include "renderer/gl/shader_library.h"
-#include "renderer/residency/tile_lists.h"
-#include "renderer/shadow/gpu.h"
-#include "renderer/view/light_set.h"
-#include "renderer/view/render_scene.h"
 
-namespace pileus::view {
+namespace pileus::residency {
 
 /// Upper bounds, in loop iterations.
 struct MarchCost {
-  double pixel = 0;                       ///< the whole of one camera ray
+  double pixel = 0;                       ///< the whole of one ray
   int stretch = 0, step = 0, sample = 0;  ///< of their lists and lights, without shadow marches
 };
 
-/// `volumes` are drawn, `bounds` their pixels, `longest` the volumes of the fullest tile.
-MarchCost marchCost(const RenderOptions& options, std::span<const volume::Instance> volumes,
-                    std::span<const residency::PixelBounds> bounds, int longest, const LightSet& lights);
-
-/// Whether marches run in one dispatch each, and if they do not, the states they are kept in. GL thread.
+/// Whether marches run in one dispatch each, and if they do not, the states they are kept in.
 class MarchBudget {
  public:
   /// In one dispatch up to here: the estimate is a bound, but drivers count loops we do not.
@@ -37,9 +28,6 @@ class MarchBudget {
   /// many iterations (for tests).
   void plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane = 0);
   bool resumes() const { return lane_ > 0; }
-  int dispatched() const {
-    return dispatched_;
-  }  ///< of the region at work: 0, its first dispatch is still to come
   /// Before each dispatch over `pixels` pixels of a region; sets the uniforms of lib/resume.glsl.
   void bind(gl::Program& program, int pixels);
   /// Behind it: the region's pixels that have to go on. Waits for the dispatch.
@@ -47,8 +35,9 @@ class MarchBudget {
 
  private:
   MarchCost cost_;
-  int lane_ = 0, dispatched_ = 0;
+  int lane_ = 0;
+  int dispatched_ = 0;  ///< of the region at work: 0, its first dispatch is still to come
   gl::Buffer states_{"march states"};
 };
 
-}  // namespace pileus::view
+}  // namespace pileus::residency

@@ -1,4 +1,4 @@
-#include "renderer/view/march_budget.h"
+#include "renderer/view/march_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,6 @@ namespace {
 
 // Iterations of one lookup in a stored shadow: four texels, and of a deep map a binary search in each.
 constexpr double kLookup = 8, kDeepLookup = 64;
-
-static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535 - 4000,
-              "8 lanes, each in the longest march of its own");
 
 /// The longest way through a volume, metres.
 double longestWay(const volume::Instance& i) {
@@ -66,12 +63,13 @@ double mostInTile(ivec2 size, std::span<const residency::PixelBounds> bounds,
 
 }  // namespace
 
-MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> volumes,
-                    std::span<const residency::PixelBounds> bounds, int longest, const LightSet& lights) {
+residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> volumes,
+                               std::span<const residency::PixelBounds> bounds, int longest,
+                               const LightSet& lights) {
   std::vector<double> steps;
   for (const volume::Instance& i : volumes) steps.push_back(cameraSteps(o, i));
   const double stretches = 2.0 * longest + 1;
-  const double most = std::min(mostInTile(o.size, bounds, steps) + stretches, CAMERA_MOST_STEPS * stretches);
+  const double most = std::min(mostInTile(o.size, bounds, steps) + stretches, STRETCH_MOST_STEPS * stretches);
   double fixed = 2, shadows = 0;
   for (const shadow::ShadowedLight& l : lights.lights()) {
     fixed += 2;
@@ -79,41 +77,14 @@ MarchCost marchCost(const RenderOptions& o, std::span<const volume::Instance> vo
     fixed += double(l.shadow->solids.size());
     (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
   }
-  constexpr int kInRegisters = 4;
-  const double overflow = longest > kInRegisters ? longest : 0;
+  const double overflow = longest > residency::kInRegisters ? longest : 0;
   fixed += overflow * double(lights.lights().size());
-  MarchCost cost;
+  residency::MarchCost cost;
   cost.stretch = longest + 2;
   cost.step = int(overflow) + 1;
   cost.sample = int(fixed) + int(lights.drawnSolids());
   cost.pixel = stretches * cost.stretch + (most + 1) * (cost.step + cost.sample + shadows);
   return cost;
-}
-
-void MarchBudget::plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane) {
-  cost_ = cost;
-  dispatched_ = 0;
-  lane_ = lane == kNever ? 0 : lane > 0 ? lane : device.software && cost.pixel > kOneDispatch ? kLane : 0;
-}
-
-void MarchBudget::bind(gl::Program& program, int pixels) {
-  states_.reserve(16 + std::size_t(pixels) * MARCH_STATE_BYTES);
-  const int none = 0;
-  glNamedBufferSubData(states_.id(), 0, sizeof none, &none);
-  states_.bindStorage(BIND_MARCH_STATES);
-  program.set("dispatchIndex", dispatched_++);
-  // Every dispatch gets at least one piece of work done, whatever its lists cost.
-  program.set("budget", std::max(lane_, 2 * (cost_.stretch + cost_.step + cost_.sample) + 1));
-  program.set("stretchCost", cost_.stretch);
-  program.set("stepCost", cost_.step);
-  program.set("sampleCost", cost_.sample);
-}
-
-int MarchBudget::unfinished() {
-  int count = 0;
-  glGetNamedBufferSubData(states_.id(), 0, sizeof count, &count);
-  if (count == 0) dispatched_ = 0;
-  return count;
 }
 
 }  // namespace pileus::view

@@ -1,0 +1,38 @@
+#include "renderer/residency/march_budget.h"
+
+#include <algorithm>
+
+#include "renderer/shaders/shared/resume.h"
+
+namespace pileus::residency {
+
+static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535 - 4000,
+              "8 lanes, each in the longest march of its own");
+
+void MarchBudget::plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane) {
+  cost_ = cost;
+  dispatched_ = 0;
+  lane_ = lane == kNever ? 0 : lane > 0 ? lane : device.software && cost.pixel > kOneDispatch ? kLane : 0;
+}
+
+void MarchBudget::bind(gl::Program& program, int pixels) {
+  states_.reserve(16 + std::size_t(pixels) * MARCH_STATE_BYTES);
+  const int none = 0;
+  glNamedBufferSubData(states_.id(), 0, sizeof none, &none);
+  states_.bindStorage(BIND_MARCH_STATES);
+  program.set("dispatchIndex", dispatched_++);
+  // Every dispatch gets at least one piece of work done, whatever its lists cost.
+  program.set("budget", std::max(lane_, 2 * (cost_.stretch + cost_.step + cost_.sample) + 1));
+  program.set("stretchCost", cost_.stretch);
+  program.set("stepCost", cost_.step);
+  program.set("sampleCost", cost_.sample);
+}
+
+int MarchBudget::unfinished() {
+  int count = 0;
+  glGetNamedBufferSubData(states_.id(), 0, sizeof count, &count);
+  if (count == 0) dispatched_ = 0;
+  return count;
+}
+
+}  // namespace pileus::residency

@@ -1,0 +1,40 @@
+#include "renderer/residency/region_run.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pileus::residency {
+
+void RegionRun::bind(const BrickPool& bricks, gl::Program& program) const {
+  program.use();
+  set_.bind(bricks, program);
+  tiles_.bind(program);
+}
+
+bool RegionRun::dispatch(gl::Program& program, ivec2 from, ivec2 to, MarchBudget* budget) {
+  const ivec2 size = to - from, groups = (size + 7) / 8;
+  const bool resumes = budget && budget->resumes();
+  program.set("regionOrigin", from);
+  program.set("regionEnd", to);
+  if (resumes) budget->bind(program, size.x * size.y);
+  timer_.begin();
+  glDispatchCompute(GLuint(groups.x), GLuint(groups.y), 1);
+  timer_.end();
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                  GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                  GL_BUFFER_UPDATE_BARRIER_BIT);
+  glFinish();
+  gpuMs_ += timer_.takeMs();
+  ++dispatches_;
+  return !resumes || budget->unfinished() == 0;
+}
+
+gl::Defines RegionRun::defines() const {
+  return {{"SHAPES", shapes()},
+          {"ACTIVE", std::clamp(longestList(), 1, kInRegisters)},
+          {"OVERFLOW", longestList() > kInRegisters}};
+}
+
+double RegionRun::takeGpuMs() { return std::exchange(gpuMs_, 0.0) + timer_.takeMs(); }
+
+}  // namespace pileus::residency

@@ -1,0 +1,54 @@
+#pragma once
+// How every pass runs that works through volumes region by region: their bricks made resident, lists of them
+// per tile, then for each region a dispatch, or several where its marches pause. On every device; GL thread.
+#include "renderer/gl/gpu_timer.h"
+#include "renderer/gl/region_cursor.h"
+#include "renderer/residency/march_budget.h"
+#include "renderer/residency/tile_lists.h"
+#include "renderer/residency/volume_set.h"
+
+namespace pileus::residency {
+
+inline constexpr int kInRegisters =
+    4;  ///< volumes of an overlap; the rest is visited one by one at each step
+
+class RegionRun {
+ public:
+  /// Makes the volumes resident within `ms`; go on once its fraction is 1.
+  Result<Residency> prepare(BrickPool& bricks, const volume::InstanceList& volumes, double ms) {
+    return set_.prepare(bricks, volumes, ms);
+  }
+  /// Lists for a picture or map of that size, as TileLists::build() has them.
+  void list(ivec2 size, std::span<const PixelBounds> bounds, int items = 0) {
+    tiles_.build(size, bounds, items);
+  }
+  /// Makes the program current, with volumes and lists at their binding points.
+  void bind(const BrickPool& bricks, gl::Program& program) const;
+  /// One dispatch in groups of 8 x 8 over pixels [from, to): uniforms regionOrigin and regionEnd, and those
+  /// of the budget. Timed and waited for; whatever reads what it wrote may come behind it. False: marches
+  /// paused, and the same region has to be dispatched again.
+  bool dispatch(gl::Program& program, ivec2 from, ivec2 to, MarchBudget* budget = nullptr);
+  /// The region at the cursor.
+  bool dispatch(gl::Program& program, MarchBudget* budget = nullptr) {
+    return dispatch(program, cursor.origin(), cursor.end(), budget);
+  }
+
+  gl::RegionCursor cursor;  ///< the caller's to set and to move
+  const volume::InstanceList& volumes() const { return set_.instances(); }
+  int shapes() const { return set_.shapes(); }
+  int longestList() const { return tiles_.longest(); }
+  /// Variant constants SHAPES, ACTIVE and OVERFLOW of lib/stretch.glsl.
+  gl::Defines defines() const;
+  int dispatches() const { return dispatches_; }
+  gl::GpuTimer& timer() { return timer_; }
+  double takeGpuMs();
+
+ private:
+  VolumeSet set_;
+  TileLists tiles_;
+  gl::GpuTimer timer_;
+  double gpuMs_ = 0;
+  int dispatches_ = 0;
+};
+
+}  // namespace pileus::residency

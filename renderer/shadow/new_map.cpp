@@ -1,0 +1,18 @@
+#include "renderer/shadow/new_map.h"
+
+namespace pileus::shadow {
+
+std::shared_ptr<ShadowMap> newMap(ShadowMap::Kind kind, const ShadowSpec& spec, const scene::Light& light,
+                                  const volume::InstanceList& volumes, const scene::SolidList& solids,
+                                  const LightFrustum& frustum) {
+  auto map = std::make_shared<ShadowMap>();
+  map->kind = kind;
+  map->light = light;
+  map->volumes = volumes;
+  map->solids = solids;
+  map->spec = spec;
+  map->frustum = frustum;
+  return map;
+}
+
+}  // namespace pileus::shadow

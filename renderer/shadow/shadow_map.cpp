@@ -88,7 +88,8 @@ gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) 
     const MetricOptions& o = shadow->metric->options;
     r.items.x = metric == Metric::Interval ? o.intervals : o.coefficients;
     r.metric = shadow->metric->block->record();
-    if (const auto& weights = shadow->metric->weights) r.weights = weights->record().place, r.solids.z |= LIGHT_HAS_WEIGHTS;
+    if (const auto& weights = shadow->metric->weights)
+      r.weights = weights->record().place, r.solids.z |= LIGHT_HAS_WEIGHTS;
     if (metric == Metric::Interval && o.horizon > 0) r.solids.z |= LIGHT_HAS_HORIZON;
   }
   if (shadow->block) r.coefficients = shadow->block->record();

@@ -1,6 +1,6 @@
 #pragma once
 // The graph canvas: what it remembers, and drawing it with its pointer handling. Its commands (delete, copy,
-// ...) are in graph_commands.h.
+// ...) are in canvas_commands.h.
 #include <imgui.h>
 
 #include <map>

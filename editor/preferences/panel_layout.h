@@ -1,6 +1,6 @@
 #pragma once
 // Which panels are open and how the window is divided among them: a value that can be kept under a name.
-// Rectangles are made of it in panels/panel_areas.h.
+// Rectangles are made of it in app/panel_areas.h.
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>

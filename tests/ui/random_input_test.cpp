@@ -107,6 +107,8 @@ TEST(RandomInput, TwoThousandEvents) {
   std::ofstream(file) << kGraph;
   UiSession ui({1100, 720}, {file.string()});
   ASSERT_TRUE(ui.running()) << ui.log();
+  // What random keys name as a file is looked for beside the graph, and is not there.
+  ui.expectLogged(file.parent_path().string());
   ui.finishPicture();
   Monkey monkey(seed, {1100, 720});
   std::vector<std::string> history;
@@ -197,6 +199,8 @@ TEST(RandomInput, LosesNoMemory) {
                {"LD_PRELOAD=" + sanitizer.string(), "LSAN_OPTIONS=exitcode=0:log_path=" + report.string() +
                                                         ":suppressions=" + (folder / "others").string()});
   ASSERT_TRUE(ui.running()) << ui.log();
+  // What random keys name as a file is looked for beside the graph, and is not there.
+  ui.expectLogged(file.parent_path().string());
   ui.finishPicture();
   Monkey monkey(3, {1100, 720});
   for (int done = 0; done < kEventsForLeaks; done += kBatch) {

@@ -25,7 +25,7 @@ struct PanelSplitter {
 };
 
 struct PanelAreas {
-  std::array<PanelRect, 8> of;  ///< by Panel; empty: not shown
+  std::array<PanelRect, kPanelValues> of;  ///< by Panel; empty: not shown
   std::vector<PanelSplitter> splitters;
   const PanelRect& operator[](Panel p) const { return of[static_cast<std::size_t>(p)]; }
 };

@@ -144,7 +144,7 @@ void documentReplaced(Editor& editor) {
   shown.displayed.colorsOf = "\n";
   shown.snapshots = {};
   shown.ray = {};
-  shown.preview.forgetPicture();
+  shown.preview.newDocument();
   editor.viewport.tools = {};
   editor.canvas = Canvas{};
   editor.timeline = Timeline{};

@@ -75,6 +75,7 @@ void handleKeys(Editor& editor) {
 PreviewRequest previewRequest(const Editor& editor) {
   PreviewRequest request;
   request.graph = editor.session.document.root();
+  request.generation = editor.session.generation;
   request.revision = editor.session.document.revision();
   request.view = shownView(editor.session, editor.shown);
   request.size = editor.shown.renderSize;
@@ -154,15 +155,17 @@ void protectWork(Editor& editor) {
   editor.quit = true;
 }
 
-void handleWindow(Editor& editor) {
+/// Returns whether there is something new to draw.
+bool handleWindow(Editor& editor) {
   if (editor.window.closeRequested()) {
     editor.window.cancelClose();
     if (!editor.modals.afterUnsaved) withSavedDocument(editor, [&editor] { editor.quit = true; });
   }
   editor.drops.take(editor.window.takeDroppedFiles());
-  takeDrops(editor);
+  const bool read = takeDrops(editor);
   editor.window.setTitle(std::string(editor.session.document.dirty() ? "\xe2\x80\xa2 " : "") +
                          documentName(editor.session) + " \xe2\x80\x93 Pileus");
+  return read;
 }
 
 /// Is there work that can go on at once?
@@ -213,8 +216,8 @@ void runFrame(Editor& editor, int& settling) {
   protectWork(editor);
   editor.window.endFrame(palette::kBackground);
   // Nothing that was drawn with is replaced before it is on the screen.
-  handleWindow(editor);
-  if (carryOutRequests(editor)) settling = std::max(settling, 1);
+  const bool asked = carryOutRequests(editor), read = handleWindow(editor);
+  if (asked || read) settling = kSettlingFrames;
   editor.report.write(editor);
   editor.now.frameMs = clock.ms();
 }

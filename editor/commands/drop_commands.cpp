@@ -110,9 +110,9 @@ void askStill(Editor& editor, const fs::path& path, const std::string& text) {
 
 }  // namespace
 
-void takeDrops(Editor& editor) {
+bool takeDrops(Editor& editor) {
   const std::optional<DropContent> read = editor.drops.step(editor.messages);
-  if (!read) return;
+  if (!read) return false;
   const DropContent& content = *read;
   std::string refused;
   for (const std::string& text : content.refusals) {
@@ -130,6 +130,7 @@ void takeDrops(Editor& editor) {
   addVolumes(editor, content.volumes);
   for (const fs::path& path : content.graphs) askGraph(editor, path);
   for (const auto& [path, text] : content.stills) askStill(editor, path, text);
+  return true;
 }
 
 void askImportVdb(Editor& editor) {

@@ -5,8 +5,8 @@ namespace pileus::editor {
 
 struct Editor;
 
-/// Once a frame.
-void takeDrops(Editor& editor);
+/// Between two frames. Returns whether files had been read.
+bool takeDrops(Editor& editor);
 /// File > Import VDB...
 void askImportVdb(Editor& editor);
 

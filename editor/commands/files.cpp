@@ -31,6 +31,7 @@ void put(Editor& editor, nodes::Loaded loaded, const fs::path& path, const std::
   if (loaded.faults.empty()) return;
   for (const nodes::Fault& f : loaded.faults)
     log::write(f.error ? log::Level::Error : log::Level::Warning, name + ": " + nodes::faultText(f));
+  editor.modals.faults.clear();
   for (const nodes::Fault& f : loaded.faults)
     editor.modals.faults.push_back({f.error, f.where.empty() ? f.text : f.where + ": " + f.text});
   editor.modals.faultsOf = name;

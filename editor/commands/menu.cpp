@@ -44,7 +44,7 @@ void openMenus(Editor& editor) {
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::MenuItem(path.filename().c_str(), path.parent_path().c_str(), false,
                           bar.recentThere[i] != 0))
-        withSavedDocument(editor, [&editor, path] { openFile(editor, path); });
+        editor.requests.push(OpenFile{path});
       editor.trace.item(fmt::format("recent/{}", i));
       if (!bar.recentThere[i] && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("This file is no longer there.");
@@ -63,7 +63,7 @@ void openMenus(Editor& editor) {
   for (const EmbeddedFile& file : embedded_presets()) {
     if (file.path.find('/') != std::string_view::npos || !file.path.ends_with(".json")) continue;
     if (ImGui::MenuItem(presetLabel(file.path).c_str()))
-      withSavedDocument(editor, [&editor, name = std::string(file.path)] { openPreset(editor, name); });
+      editor.requests.push(OpenPreset{std::string(file.path)});
     editor.trace.item("preset/" + std::string(file.path));
   }
   ImGui::EndMenu();

@@ -72,7 +72,8 @@ void drawUnsaved(Editor& editor) {
     ImGui::CloseCurrentPopup();
     return std::exchange(d.afterUnsaved, nullptr);
   };
-  if (button(editor, "Save", "save", true) || pressedEnter()) save(editor, close());
+  if (button(editor, "Save", "save", true) || pressedEnter())
+    editor.requests.push([&editor, then = close()] { save(editor, then); });
   ImGui::SameLine();
   if (button(editor, "Discard", "discard")) editor.requests.push(close());
   ImGui::SameLine();

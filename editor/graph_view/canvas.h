@@ -17,7 +17,6 @@
 #include "editor/graph_view/search/find_nodes.h"
 #include "editor/graph_view/search/node_search.h"
 #include "editor/graph_view/thumbnails.h"
-#include "editor/picture/viewed_node.h"
 
 namespace pileus::editor {
 
@@ -68,7 +67,6 @@ struct Canvas {
   bool menuOpening = false;
   dvec2 pastedAt{0};  ///< where the last paste was asked for
   int pastes = 0;     ///< in that place
-  ViewSlots slots;    ///< nodes the number keys show
 };
 
 /// Key of a socket in Canvas::refusals.

@@ -121,7 +121,7 @@ void drawNodes(const GraphRoom& room, const CanvasView& view, const Layout& layo
     look.disabled = place.node->disabled;
     const std::string known = evaluatedName(room.session, place.name);
     look.viewed = known == viewed;
-    look.slot = slotOf(canvas.slots, known);
+    look.slot = slotOf(room.shown.slots, known);
     look.stacked = place.node->group != nullptr;
     look.status = &room.shown.preview.evaluator().status(known);
     if (times) {

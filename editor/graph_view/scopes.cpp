@@ -1,6 +1,7 @@
 #include "editor/graph_view/scopes.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"
+#include "editor/picture/viewed_node.h"
 #include "editor/toolkit/ui.h"
 
 #include <algorithm>

@@ -139,7 +139,7 @@ void handleMouse(const ParamWidget& w, Curve& curve, const Plane& plane, bool ho
   if (over >= 0 && ImGui::IsMouseClicked(1)) {
     edit.removing = true;
     removePoint(w, curve, over);
-  } else if (selected >= 0 && !w.room.ui.fields.number.typing &&
+  } else if (selected >= 0 && !w.room.ui.fields.typing() &&
              ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false)) {
     removePoint(w, curve, selected);
   }

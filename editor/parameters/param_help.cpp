@@ -227,7 +227,7 @@ void drawHelpPage(Ui& ui, Parameters& parameters) {
   }
   ImGui::End();
   page.appear = false;
-  if (close || (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ui.fields.number.typing))
+  if (close || (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !ui.fields.typing()))
     page = {};
 }
 

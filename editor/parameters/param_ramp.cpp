@@ -118,7 +118,7 @@ bool handleMouse(const ParamWidget& w, Ramp& ramp, const Lanes& lanes, bool hove
   if (over >= 0 && ImGui::IsMouseClicked(1)) {
     edit.removing = true;
     removeStop(w, ramp, over);
-  } else if (selected >= 0 && !w.room.ui.fields.number.typing &&
+  } else if (selected >= 0 && !w.room.ui.fields.typing() &&
              ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false)) {
     removeStop(w, ramp, selected);
   }

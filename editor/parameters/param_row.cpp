@@ -169,7 +169,7 @@ bool hoverRow(Ui& ui, Parameters& parameters, const ParamTarget& target, ImVec2 
   if (!hovered) return false;
   panel.hovered = target;
   if (ImGui::IsMouseReleased(1) && !panel.points.removing) ImGui::OpenPopup("row menu");
-  const bool busy = ImGui::IsAnyItemActive() || ui.fields.number.typing != 0;
+  const bool busy = ImGui::IsAnyItemActive() || ui.fields.typing();
   const bool below = nodes::constantOnly(target.spec->type);  // the widget fills the lines under the label
   const bool onLabel = (!below || ImGui::GetIO().MousePos.y < lo.y + ImGui::GetFrameHeight()) &&
                        ImGui::GetIO().MousePos.x < lo.x + 0.38f * (hi.x - lo.x) &&
@@ -214,7 +214,7 @@ void toWidget(const RowFrame& f) {
 
 void drawRefusal(Ui& ui, const Parameters& parameters, const std::string& key) {
   const Parameters& panel = parameters;
-  const bool staying = ui.fields.number.wasRefused && ui.fields.number.typing != 0;
+  const bool staying = ui.fields.number.wasRefused && ui.fields.typing();
   if (panel.refusedKey != key || (!staying && ImGui::GetTime() - panel.refusedAt > 8)) return;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.theme.px(kSocket + kDot));
   ImGui::PushTextWrapPos();

@@ -16,8 +16,9 @@ constexpr double kDraftBudgetMs = 60;     // a draft is worth a longer frame, of
 constexpr double kDraftPatienceMs = 400;  // then a newer request replaces an unfinished draft
 
 bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
-  return a.revision == b.revision && a.view == b.view && a.size == b.size && a.freeCamera == b.freeCamera &&
-         a.folder == b.folder && a.frame == b.frame && a.layer == b.layer && a.region == b.region;
+  return a.generation == b.generation && a.revision == b.revision && a.view == b.view && a.size == b.size &&
+         a.freeCamera == b.freeCamera && a.folder == b.folder && a.frame == b.frame && a.layer == b.layer &&
+         a.region == b.region;
 }
 
 bool makesPictures(const nodes::Node& node) {

@@ -17,8 +17,9 @@ namespace pileus::editor {
 /// What the viewport wants to see.
 struct PreviewRequest {
   nodes::Graph graph;
-  std::uint64_t revision = 0;  ///< of the document: equal revisions are equal graphs
-  std::string view;            ///< an output node or one with an Image output; "" = none
+  std::uint64_t generation = 0;  ///< of the session: which document it is
+  std::uint64_t revision = 0;    ///< of the document: equal revisions are equal graphs
+  std::string view;              ///< an output node or one with an Image output; "" = none
   ivec2 size{0};
   std::optional<scene::Camera> freeCamera;
   std::filesystem::path folder;
@@ -66,6 +67,8 @@ class Preview {
   const std::shared_ptr<const view::Picture>& picture() const { return picture_; }
   nodes::Evaluator& evaluator() { return evaluator_; }
   const nodes::Evaluator& evaluator() const { return evaluator_; }
+  /// Another document is open: what belonged to the old one is no change of it.
+  void newDocument() { forgetPicture(), frame_.reset(); }
   void forgetPicture() { picture_.reset(), whole_.reset(); }
 
  private:

@@ -10,6 +10,7 @@ struct Clock {
   int frame = 1;  ///< where keys are set and values shown
   PlayClock play;
   std::uint64_t answered = 0;  ///< of the preview, when last counted
+  bool counting = false;       ///< since playing began
   KeyEditing keys;
 };
 

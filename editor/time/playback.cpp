@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "editor/document/session.h"
 #include "editor/exchange/messages.h"
@@ -22,7 +23,6 @@ const nodes::Settings& settings(const Session& session) { return session.documen
 
 void goToFrame(Clock& clock, int frame) {
   stopPlayback(clock);
-  if (frame == clock.frame) return;
   clock.frame = frame;
 }
 
@@ -47,6 +47,7 @@ void play(Messages& messages, Requests& requests, const Session& session, Clock&
     messages.hint("The frame range holds one frame: set its end in the timeline to play.");
     return;
   }
+  clock.counting = false;
   clock.play.start(clock.frame, direction, range, settings(session).fps, steadySeconds());
 }
 
@@ -65,7 +66,8 @@ void holdFrame(Clock& clock, const nodes::Node& node) {
 
 void stepPlayback(const Session& session, Clock& clock, std::uint64_t answered) {
   PlayClock& play = clock.play;
-  if (!play.playing()) return void(clock.answered = answered);
+  if (!play.playing()) return void(clock.counting = false);
+  if (!std::exchange(clock.counting, true)) clock.answered = answered;
   const double now = steadySeconds();
   const nodes::Settings& s = settings(session);
   if (play.outdated(s.frames, s.fps)) play.start(clock.frame, play.direction(), s.frames, s.fps, now);

@@ -63,19 +63,20 @@ void beginKeyMove(Session& session, Clock& clock) {
   session.document.endMerge();
 }
 
-void moveSelectedKeys(Messages& messages, Session& session, Clock& clock, double frames) {
+bool moveSelectedKeys(Messages& messages, Session& session, Clock& clock, double frames) {
   KeyEditing& t = clock.keys;
-  if (t.beforeSelected.empty()) return;
-  if (t.selected.begin()->frame == t.beforeSelected.begin()->frame + frames) return;  // there already
+  if (t.beforeSelected.empty()) return false;
+  if (t.selected.begin()->frame == t.beforeSelected.begin()->frame + frames) return false;  // there already
   // From where all began, so that keys that were passed on the way stay what they were.
   if (!tryEdit(session, messages, nodes::moveKeys(t.before, movesBy(t.beforeSelected, frames)),
                "Move " + keysText(t.beforeSelected.size()), kMove))
-    return;
+    return false;
   t.selected.clear();
   for (KeyRef k : t.beforeSelected) {
     k.frame += frames;
     t.selected.insert(std::move(k));
   }
+  return true;
 }
 
 void endKeyMove(Session& session, Clock& clock) {

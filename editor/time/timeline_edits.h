@@ -24,7 +24,7 @@ void selectAllKeys(const Session& session, Clock& clock);
 
 /// A drag of the selected keys: begin, then where it is now, then the end.
 void beginKeyMove(Session& session, Clock& clock);
-void moveSelectedKeys(Messages& messages, Session& session, Clock& clock, double frames);
+bool moveSelectedKeys(Messages& messages, Session& session, Clock& clock, double frames);
 void endKeyMove(Session& session, Clock& clock);
 
 }  // namespace pileus::editor

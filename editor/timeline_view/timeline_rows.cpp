@@ -180,9 +180,10 @@ void beginDrag(const Rows& r) {
 
 /// Esc: as if it had not begun.
 void cancelDrag(const Rows& r) {
-  if (r.t.drag == Timeline::Drag::Keys)
-    moveSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock, 0),
-        endKeyMove(r.room.session, r.room.clock);
+  if (r.t.drag == Timeline::Drag::Keys) {
+    if (moveSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock, 0)) r.room.shown.preview.touch();
+    endKeyMove(r.room.session, r.room.clock);
+  }
   r.t.drag = Timeline::Drag::None;
 }
 
@@ -195,9 +196,10 @@ void drag(const Rows& r) {
   r.t.moved = true;
   if (r.t.drag == Timeline::Drag::Keys) {
     const double frames = dx / r.t.scale.perFrame();
-    r.room.shown.preview.touch();
-    return moveSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock,
-                            io.KeyCtrl ? std::round(frames * 10) / 10 : std::round(frames));
+    if (moveSelectedKeys(r.room.ui.messages, r.room.session, r.room.clock,
+                         io.KeyCtrl ? std::round(frames * 10) / 10 : std::round(frames)))
+      r.room.shown.preview.touch();
+    return;
   }
   r.draw->AddRectFilled({static_cast<float>(r.t.fromX), static_cast<float>(r.t.fromY)}, io.MousePos,
                         faded(palette::kAccent, 0.15f));

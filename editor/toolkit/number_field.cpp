@@ -208,6 +208,8 @@ NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* 
   ImGui::PushID(id);
   const ImGuiID self = ImGui::GetID("field");
   const ImGuiIO& io = ImGui::GetIO();
+  // It was not drawn for a while: what was typed then is given up.
+  if (state.typing == self && !state.shown()) state.typing = 0, state.wasRefused = false;
   if (state.typing == self || state.active == self) state.drawn = ImGui::GetFrameCount();
   if (state.typing == self && !f.locked) {
     edit = typeField(state, theme, value, f, width);

@@ -278,6 +278,9 @@ TEST(Canvas, ViewsAnyNodeAndComesBackToPlaces) {
   EXPECT_TRUE(message("Viewing View"));
   c.ui.key("1");
   EXPECT_TRUE(message("Viewing Render"));
+  const json badges = c.ui.trace()["notes"];
+  EXPECT_NE(badges.value("badge/Render", "").find('1'), std::string::npos) << badges.dump();
+  EXPECT_NE(badges.value("badge/View", "").find('2'), std::string::npos) << badges.dump();
   c.ui.screenshot("canvas-10-slots");
   EXPECT_EQ(c.document(), before) << "viewing changes no document";
 

@@ -1,7 +1,8 @@
 #include "editor/graph_view/draw_link.h"
-#include "editor/toolkit/theme.h"
 
 #include <algorithm>
+
+#include "editor/toolkit/theme.h"
 
 namespace pileus::editor {
 

@@ -1,4 +1,5 @@
 #include "editor/graph_view/node_status.h"
+
 #include "editor/document/session.h"
 #include "editor/picture/shown.h"
 

@@ -1,11 +1,11 @@
 #include "editor/graph_view/scopes.h"
+
+#include <algorithm>
+
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/picture/viewed_node.h"
 #include "editor/toolkit/ui.h"
-
-#include <algorithm>
-
 #include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {

@@ -1,9 +1,10 @@
 #include "editor/parameters/display_color.h"
-#include "editor/parameters/parameters.h"
-#include "editor/picture/shown.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
 
 namespace pileus::editor {
 namespace {

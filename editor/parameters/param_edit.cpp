@@ -1,10 +1,4 @@
 #include "editor/parameters/param_edit.h"
-#include "editor/document/session.h"
-#include "editor/parameters/parameter_room.h"
-#include "editor/parameters/parameters.h"
-#include "editor/picture/shown.h"
-#include "editor/time/clock.h"
-#include "editor/toolkit/ui.h"
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -12,6 +6,12 @@
 #include <algorithm>
 #include <set>
 
+#include "editor/document/session.h"
+#include "editor/parameters/parameter_room.h"
+#include "editor/parameters/parameters.h"
+#include "editor/picture/shown.h"
+#include "editor/time/clock.h"
+#include "editor/toolkit/ui.h"
 #include "nodes/file/serialize.h"
 #include "nodes/graph/graph_animation.h"
 #include "nodes/graph/graph_edits.h"

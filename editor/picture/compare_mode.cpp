@@ -1,9 +1,10 @@
 #include "editor/picture/compare_mode.h"
-#include "editor/exchange/messages.h"
-#include "editor/picture/shown.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 
 namespace pileus::editor {
 namespace {

@@ -1,9 +1,9 @@
 #include "editor/picture/display_mode.h"
-#include "editor/exchange/messages.h"
-#include "editor/picture/shown.h"
 
 #include <fmt/core.h>
 
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 #include "renderer/view/render_scene.h"
 
 namespace pileus::editor {

@@ -1,8 +1,8 @@
 #include "editor/picture/ray_pick.h"
+
 #include "editor/exchange/messages.h"
 #include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
-
 #include "renderer/view/visible_point.h"
 
 namespace pileus::editor {

@@ -1,12 +1,13 @@
 #include "editor/picture/snapshots.h"
-#include "editor/document/session.h"
-#include "editor/exchange/messages.h"
-#include "editor/picture/shown.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <ctime>
+
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 
 namespace pileus::editor {
 namespace {

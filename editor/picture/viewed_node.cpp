@@ -1,12 +1,12 @@
 #include "editor/picture/viewed_node.h"
-#include "editor/document/session.h"
-#include "editor/exchange/messages.h"
-#include "editor/picture/shown.h"
 
 #include <fmt/core.h>
 
 #include <deque>
 
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/picture/shown.h"
 #include "nodes/declare/value.h"
 #include "nodes/graph/graph_groups.h"
 #include "nodes/graph/graph_sockets.h"

@@ -1,7 +1,4 @@
 #include "editor/start/tour.h"
-#include "editor/preferences/settings.h"
-#include "editor/toolkit/theme.h"
-#include "editor/toolkit/ui.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>  // FindWindowByName: where the panels are
@@ -9,6 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
+
+#include "editor/preferences/settings.h"
+#include "editor/toolkit/theme.h"
+#include "editor/toolkit/ui.h"
 
 namespace pileus::editor {
 namespace {

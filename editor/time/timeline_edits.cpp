@@ -1,10 +1,10 @@
 #include "editor/time/timeline_edits.h"
-#include "editor/document/session.h"
-#include "editor/exchange/messages.h"
-#include "editor/time/clock.h"
 
 #include <fmt/core.h>
 
+#include "editor/document/session.h"
+#include "editor/exchange/messages.h"
+#include "editor/time/clock.h"
 #include "nodes/graph/graph_animation.h"
 
 namespace pileus::editor {

@@ -1,4 +1,5 @@
 #include "editor/toolkit/segments.h"
+
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
 

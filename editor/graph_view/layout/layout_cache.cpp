@@ -1,4 +1,5 @@
 #include "editor/graph_view/layout/layout_cache.h"
+
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/preferences/settings.h"

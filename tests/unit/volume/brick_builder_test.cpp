@@ -95,6 +95,29 @@ TEST(BrickBuilder, TrilinearIsContinuousAcrossBricksAndMatchesTheVoxels) {
   }
 }
 
+TEST(BrickBuilder, MipsAreContinuousAcrossBricks) {
+  const auto g = build(sourceOf(bumpy, ivec3(0), ivec3(100, 100, 100))).grid;
+  ASSERT_GE(g->levels.size(), 3u);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> u(0, 1);
+  int faces = 0;
+  for (int level = 1; level < static_cast<int>(g->levels.size()); ++level) {
+    const ivec3 bricks = g->levels[std::size_t(level)].bricks;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int face = 1; face < bricks[axis]; ++face)
+        for (int i = 0; i < 200; ++i, ++faces) {
+          dvec3 q = dvec3(u(random), u(random), u(random)) * dvec3(bricks * kBrickSize - 1);
+          q[axis] = face * kBrickSize;
+          const dvec3 p = (q + 0.5) * std::exp2(level) - 0.5 + dvec3(g->origin);
+          dvec3 below = p;
+          below[axis] -= 1e-9;
+          ASSERT_NEAR(sampleTrilinear(*g, p, level), sampleTrilinear(*g, below, level), 7.4 / 255 + 1e-6)
+              << "level " << level << ", axis " << axis << ", face " << face;
+        }
+  }
+  EXPECT_GT(faces, 1000);
+}
+
 TEST(BrickBuilder, BrickRangesBoundWhatTheyAnswerFor) {
   const auto g = build(sourceOf(bumpy, ivec3(0), ivec3(50, 33, 33))).grid;
   std::mt19937 random(3);

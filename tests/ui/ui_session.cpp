@@ -28,7 +28,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr double kBusy = 3;         // times as long as a machine with nothing else to do
+constexpr double kBusy = 2;         // two windows at once: each has half of the machine
 constexpr double kPatience = 60;    // for a window to take its input; the slowest machine has it
 constexpr double kTwoClicks = 0.4;  // apart, so that they are no double click (0.3)
 constexpr double kOnePlace = 8;     // pixels: nearer clicks may be joined (6)

@@ -59,7 +59,7 @@ class UiSession {
 
   /// The newest one; it knows of all input sent.
   json trace() const;
-  /// Looks at every new trace; false when the program has ended, and after `seconds` (three times as many:
+  /// Looks at every new trace; false when the program has ended, and after `seconds` (twice as many:
   /// the machine may be busy with other tests).
   [[nodiscard]] bool waitFor(const Condition& condition, double seconds = 20) const;
   [[nodiscard]] bool waitRect(const std::string& name, double seconds = 20) const;

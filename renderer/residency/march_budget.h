@@ -12,6 +12,7 @@ namespace pileus::residency {
 struct MarchCost {
   double pixel = 0;                       ///< the whole of one ray
   int stretch = 0, step = 0, sample = 0;  ///< of their lists and lights, without shadow marches
+  int reached = 1;                        ///< lights of which something is kept from step to step
 };
 
 /// Whether marches run in one dispatch each, and if they do not, the states they are kept in.
@@ -28,6 +29,8 @@ class MarchBudget {
   /// many iterations (for tests).
   void plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane = 0);
   bool resumes() const { return lane_ > 0; }
+  /// Variant constant REACHED of lib/resume.glsl.
+  int reached() const { return cost_.reached; }
   /// Before each dispatch over `pixels` pixels of a region; sets the uniforms of lib/resume.glsl.
   void bind(gl::Program& program, int pixels);
   /// Behind it: the region's pixels that have to go on. Waits for the dispatch.

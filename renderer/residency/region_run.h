@@ -14,9 +14,10 @@ inline constexpr int kInRegisters =
 
 class RegionRun {
  public:
-  /// Makes the volumes resident within `ms`; go on once its fraction is 1.
-  Result<Residency> prepare(BrickPool& bricks, const volume::InstanceList& volumes, double ms) {
-    return set_.prepare(bricks, volumes, ms);
+  /// Makes the volumes resident within `ms`; go on once its fraction is 1. `origin` as VolumeSet has it.
+  Result<Residency> prepare(BrickPool& bricks, const volume::InstanceList& volumes, double ms,
+                            const dvec3& origin) {
+    return set_.prepare(bricks, volumes, ms, origin);
   }
   /// Lists for a picture or map of that size, as TileLists::build() has them.
   void list(ivec2 size, std::span<const PixelBounds> bounds, int items = 0) {

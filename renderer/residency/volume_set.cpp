@@ -48,20 +48,23 @@ vec4 remapRow(const volume::Instance& i, Texels& texels) {
               float(std::clamp(table->emptyUpTo, -most, most)));
 }
 
-gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
+constexpr double kFar = 1e30;  ///< metres: no end
+
+gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const dvec3& origin) {
   gpu::VolumeRecord r{};
   dmat4 worldFromLocal = i.worldFromLocal;
   Box3 bounds = volume::localBounds(i);
   if (i.shape == volume::Shape::Grid) {
     // The GPU counts from the lattice's origin: small numbers keep float precision.
-    const dvec3 origin(i.grid->origin);
-    worldFromLocal = glm::translate(worldFromLocal, origin);
-    bounds = {bounds.min - origin, bounds.max - origin};
+    const dvec3 first(i.grid->origin);
+    worldFromLocal = glm::translate(worldFromLocal, first);
+    bounds = {bounds.min - first, bounds.max - first};
     if (const ResidentGrid* place = pool.find(*i.grid))
       r.shape = ivec4(SHAPE_GRID, place->firstLevel, place->levels, place->finest);
   } else {
     r.shape = ivec4(i.shape == volume::Shape::Box ? SHAPE_BOX : SHAPE_BALL, 0, 0, 0);
   }
+  worldFromLocal[3] -= dvec4(origin, 0);
   r.worldFromLocal = mat4(worldFromLocal);
   r.localFromWorld = mat4(glm::inverse(worldFromLocal));
   r.boundsMin = vec4(vec3(bounds.min), float(i.medium.extinction));
@@ -72,7 +75,9 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool) {
     r.albedo = vec4(i.shape == volume::Shape::Grid ? vec3(1) : vec3(i.emission->at(i.density)), 0);
   }
   const double coarse = i.shape == volume::Shape::Grid ? std::exp2(double(r.shape.w)) : 1.0;
-  r.detail = vec4(float(volume::detailSize(i) * coarse), 0, 0, 0);
+  const double majorant = volume::majorant(i);
+  r.detail = vec4(float(volume::detailSize(i) * coarse),
+                  float(majorant > 1 / kFar ? std::min(1 / majorant, kFar) : kFar), 0, 0);
   return r;
 }
 
@@ -100,11 +105,13 @@ volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances
   return sorted(instances, true);
 }
 
-Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList& instances, double ms) {
+Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList& instances, double ms,
+                                     const dvec3& origin) {
   const Key content = volume::contentKey(instances);
-  if (content != content_ || generation_ == ~std::uint64_t(0)) {
+  if (content != content_ || origin != origin_ || generation_ == ~std::uint64_t(0)) {
     instances_ = instances;
     content_ = content;
+    origin_ = origin;
     shapes_ = 0;
     for (const volume::Instance& i : instances_)
       shapes_ |=
@@ -118,7 +125,7 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
   if (residency.fraction >= 1 && generation_ != pool.generation()) {
     Texels texels(instances_.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-      gpu::VolumeRecord r = record(instances_[i], pool);
+      gpu::VolumeRecord r = record(instances_[i], pool, origin_);
       r.remap = remapRow(instances_[i], texels);
       texels.put(i, r);
     }

@@ -17,8 +17,10 @@ volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances
 class VolumeSet {
  public:
   /// Makes the grids resident within `ms`; once fraction is 1 the records are uploaded in the order given and
-  /// bind() may be called.
-  Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms);
+  /// bind() may be called. Shaders count positions from `origin` (world, metres): far from the world's own
+  /// they have float precision only next to theirs.
+  Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms,
+                            const dvec3& origin = dvec3(0));
   /// Records and bricks to their binding points; atlas uniforms into the program.
   void bind(const BrickPool& pool, gl::Program& program) const;
   const volume::InstanceList& instances() const { return instances_; }
@@ -28,6 +30,7 @@ class VolumeSet {
  private:
   volume::InstanceList instances_;
   Key content_;
+  dvec3 origin_{0};
   int shapes_ = 0;
   std::uint64_t generation_ = ~std::uint64_t(0);
   gl::Buffer records_{"volume records"};

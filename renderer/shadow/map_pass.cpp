@@ -81,7 +81,7 @@ MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustu
       softwareEdge_(softwareEdge) {}
 
 Result<double> MapPass::prepare(const Gpu& gpu, double ms) {
-  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, volumes_, ms));
+  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, volumes_, ms, origin()));
   if (residency.fraction < 1) return residency.fraction;
   if (!ready_) {
     run_.list(tallSize(), mapBounds(run_.volumes(), frustum_, resolution_, faceStride()),
@@ -93,7 +93,7 @@ Result<double> MapPass::prepare(const Gpu& gpu, double ms) {
 }
 
 void MapPass::bindLight(const ShadowMap& map) {
-  const gpu::LightRecord record = makeRecord(map.light, &map);
+  const gpu::LightRecord record = makeRecord(map.light, &map, origin());
   record_.reserve(MAX_LIGHTS * sizeof record);
   record_.assign(&record, sizeof record);
   record_.bindUniform(BIND_LIGHTS);

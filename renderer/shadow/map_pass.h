@@ -41,6 +41,8 @@ class MapPass {
 
   const volume::InstanceList& volumes() const { return volumes_; }  ///< canonical
   const LightFrustum& frustum() const { return frustum_; }
+  /// Shaders count positions from here: the light's own place, or where a sun's map begins.
+  dvec3 origin() const { return dvec3(frustum_.worldFromLight[3]); }
   int resolution() const { return resolution_; }
   int faceStride() const {
     return (resolution_ + 15) / 16 * 16;

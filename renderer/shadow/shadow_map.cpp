@@ -50,12 +50,12 @@ int kindCode(ShadowMap::Kind k) {
   return SHADOW_RAY_MARCH;
 }
 
-void describeLight(const scene::Light& light, gpu::LightRecord& r) {
+void describeLight(const scene::Light& light, const dvec3& origin, gpu::LightRecord& r) {
   const bool sun = light.kind == scene::LightKind::Sun;
   const double outer = glm::radians(light.cone) / 2;
   r.towards = vec4(vec3(glm::normalize(light.towards)), float(std::cos(outer)));
   r.emitted = vec4(light.emitted, float(light.radius));
-  r.position = vec4(vec3(light.position), float(std::cos(outer * (1 - light.softness))));
+  r.position = vec4(vec3(light.position - origin), float(std::cos(outer * (1 - light.softness))));
   r.items.w = sun ? LIGHT_SUN : light.kind == scene::LightKind::Point ? LIGHT_POINT : LIGHT_SPOT;
 }
 
@@ -71,15 +71,17 @@ double ShadowMap::bytesPerTexel() const {
   return edge > 0 ? double(bytes()) / (edge * edge * frustum.faces()) : 0;
 }
 
-gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow) {
+gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow, const dvec3& origin) {
   gpu::LightRecord r{};
-  describeLight(light, r);
+  describeLight(light, origin, r);
   if (!shadow) return r;
   const LightFrustum& f = shadow->frustum;
   r.extent = vec4(float(f.depth()), float(shadow->stepScale), float(f.perspective() ? f.nearDistance : 0),
                   float(f.tanHalf));
-  r.worldFromLight = mat4(f.worldFromLight);
-  r.lightFromWorld = mat4(glm::inverse(f.worldFromLight));
+  dmat4 worldFromLight = f.worldFromLight;
+  worldFromLight[3] -= dvec4(origin, 0);
+  r.worldFromLight = mat4(worldFromLight);
+  r.lightFromWorld = mat4(glm::inverse(worldFromLight));
   const Metric metric =
       shadow->metric && shadow->metric->block ? shadow->metric->options.metric : Metric::None;
   r.shadow =

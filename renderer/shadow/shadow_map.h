@@ -35,8 +35,9 @@ struct ShadowMap {
 
 /// The shader's record; `metric` and `block` may lie anywhere in the store now (make records anew each time
 /// they are bound). Lists of marched volumes and of solids are the caller's: items.yz (ray march) and
-/// solids.xy stay 0.
-gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow);
+/// solids.xy stay 0. Its places are relative to `origin` (world, metres).
+gpu::LightRecord makeRecord(const scene::Light& light, const ShadowMap* shadow,
+                            const dvec3& origin = dvec3(0));
 
 /// Variant constants for programs that look up these lights: METRIC_FLOATS, BASIS_FLOATS, STORES,
 /// LIGHT_KINDS, WEIGHTS, HORIZON.

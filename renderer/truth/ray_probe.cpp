@@ -140,8 +140,10 @@ Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& l
     probe.exact.push_back(std::exp(-tau));
   if (!marched) {
     std::vector<vec4> positions;
-    for (const double x : probe.x) positions.push_back(vec4(vec3(glm::mix(segment.from, segment.to, x)), 0));
-    PILEUS_TRY(const std::vector<float> mapped, lookupTransmittance(gpu, map, positions));
+    // Relative to where the ray begins: far from the world's origin floats are coarse.
+    const dvec3 along = segment.to - segment.from;
+    for (const double x : probe.x) positions.push_back(vec4(vec3(along * x), 0));
+    PILEUS_TRY(const std::vector<float> mapped, lookupTransmittance(gpu, map, positions, segment.from));
     probe.mapped.assign(mapped.begin(), mapped.end());
     probe.taps = shadow::readTaps(map, at.face, uv);
     measure(probe);

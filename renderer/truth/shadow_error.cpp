@@ -54,7 +54,7 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
     const Stopwatch region;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       view::LightSet& group = groups_[i];
-      PILEUS_TRY(const residency::Residency residency, march_.prepare(gpu, group, ms));
+      PILEUS_TRY(const residency::Residency residency, march_.prepare(gpu, options_, group, ms));
       if (residency.fraction < 1) return fraction_;
       if (!errors_) start(gpu.device);
       PILEUS_CHECK(draw(gpu, group, budgets_[i], from, to));
@@ -76,7 +76,7 @@ Result<void> ShadowErrorPass::draw(const shadow::Gpu& gpu, view::LightSet& light
                                    residency::MarchBudget& budget, ivec2 from, ivec2 to) {
   PILEUS_TRY(gl::Program * program,
              march_.bind(gpu, "truth/shadow_error.comp.glsl", options_, lights, budget));
-  lights.bind(gpu.store);
+  lights.bind(gpu.store, options_.camera.eye);
   program->set("pairCount", static_cast<int>(lights.lights().size() / 2));
   bins_.bindStorage(BIND_ERROR_BINS);
   glBindImageTexture(IMAGE_ERROR, errors_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);

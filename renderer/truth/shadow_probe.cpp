@@ -20,10 +20,11 @@ constexpr int kMaxRepeats = 1 << 15;
 class Lookups {
  public:
   static Result<Lookups> create(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
-                                std::span<const vec4> positions) {
-    Lookups l(map, positions);
+                                std::span<const vec4> positions, const dvec3& origin) {
+    Lookups l(map, positions, origin);
     for (double done = 0; done < 1;) {
-      PILEUS_TRY(const residency::Residency r, l.volumes_.prepare(gpu.bricks, l.lights_.volumes(), 1e9));
+      PILEUS_TRY(const residency::Residency r,
+                 l.volumes_.prepare(gpu.bricks, l.lights_.volumes(), 1e9, origin));
       done = r.fraction;
     }
     gl::Defines defines = l.lights_.defines();
@@ -35,7 +36,7 @@ class Lookups {
   void bind(const shadow::Gpu& gpu) {
     program_->use();
     volumes_.bind(gpu.bricks, *program_);
-    lights_.bind(gpu.store);
+    lights_.bind(gpu.store, origin_);
     in_.bindStorage(BIND_TEST_IN);
     out_.bindStorage(BIND_TEST_OUT);
   }
@@ -84,15 +85,17 @@ class Lookups {
   }
 
  private:
-  Lookups(const shadow::ShadowMap& map, std::span<const vec4> positions)
+  Lookups(const shadow::ShadowMap& map, std::span<const vec4> positions, const dvec3& origin)
       : lights_(
             {{map.light, std::shared_ptr<const shadow::ShadowMap>(&map, [](const shadow::ShadowMap*) {})}},
             {}, {}),
+        origin_(origin),
         count_(int(positions.size())) {
     in_.assign(positions);
     out_.reserve(std::max<std::size_t>(positions.size(), 1) * sizeof(float));
   }
   view::LightSet lights_;
+  dvec3 origin_;
   residency::VolumeSet volumes_;
   gl::Program* program_ = nullptr;
   gl::Buffer in_{"lookup positions"}, out_{"lookup results"};
@@ -103,8 +106,8 @@ class Lookups {
 }  // namespace
 
 Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
-                                               std::span<const vec4> positions) {
-  PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, positions));
+                                               std::span<const vec4> positions, const dvec3& origin) {
+  PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, positions, origin));
   lookups.bind(gpu);
   return lookups.all();
 }
@@ -128,7 +131,7 @@ ShadowError shadowError(std::span<const float> mapped, std::span<const double> t
 
 Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples,
                           int dispatches) {
-  PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, samples.positions));
+  PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, samples.positions, samples.origin));
   lookups.bind(gpu);
   ProbeResult r;
   r.error = shadowError(lookups.all(), samples.transmittance);

@@ -15,9 +15,11 @@ struct ShadowError {
   double bias = 0;                        ///< mean of dT: above 0 light leaks
 };
 
-/// Transmittance from the light to each position (world; w unused). At once, however many they are.
+/// Transmittance from the light to each position (world, relative to `origin`; w unused). At once, however
+/// many they are.
 Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
-                                               std::span<const vec4> positions);
+                                               std::span<const vec4> positions,
+                                               const dvec3& origin = dvec3(0));
 
 ShadowError shadowError(std::span<const float> mapped, std::span<const double> transmittance);
 

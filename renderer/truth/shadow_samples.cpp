@@ -104,8 +104,8 @@ class RaySource {
 };
 
 /// The accepted ones of the points at `distances` (metres along the covered parts, rising).
-ShadowSamples judge(const Ray& ray, const std::vector<double>& distances,
-                    const volume::InstanceList& volumes) {
+ShadowSamples judge(const Ray& ray, const std::vector<double>& distances, const volume::InstanceList& volumes,
+                    const dvec3& origin) {
   ShadowSamples out;
   std::vector<double> at;
   for (const double distance : distances) {
@@ -114,9 +114,9 @@ ShadowSamples judge(const Ray& ray, const std::vector<double>& distances,
     while (part + 1 < ray.parts.size() && t > ray.parts[part].y - ray.parts[part].x)
       t -= ray.parts[part].y - ray.parts[part].x, ++part;
     t += ray.parts[part].x;
-    const vec3 p(ray.from + ray.direction * t);
+    const vec3 p(ray.from - origin + ray.direction * t);
     if (std::none_of(volumes.begin(), volumes.end(),
-                     [&](const auto& v) { return volume::sigmaAt(v, dvec3(p)) > 0; }))
+                     [&](const auto& v) { return volume::sigmaAt(v, origin + dvec3(p)) > 0; }))
       continue;
     out.positions.push_back(vec4(p, 0));
     at.push_back(std::min(t / ray.length, 1.0));
@@ -138,6 +138,7 @@ Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::Inst
   std::mt19937_64 rng(options.seed);
   std::uniform_real_distribution<double> uniform(0, 1);
   ShadowSamples samples;
+  if (!volumes.empty()) samples.origin = volume::worldBounds(volumes).center();
   int barren = 0;
   while (samples.positions.size() < std::size_t(options.count)) {
     std::vector<Ray> rays;
@@ -162,8 +163,9 @@ Result<ShadowSamples> sampleShadow(const scene::Light& light, const volume::Inst
       distances[ray].push_back(std::min(at - before, rays[ray].covered));
     }
     std::vector<ShadowSamples> found(rays.size());
-    tbb::parallel_for(std::size_t(0), rays.size(),
-                      [&](std::size_t i) { found[i] = judge(rays[i], distances[i], volumes); });
+    tbb::parallel_for(std::size_t(0), rays.size(), [&](std::size_t i) {
+      found[i] = judge(rays[i], distances[i], volumes, samples.origin);
+    });
     const std::size_t had = samples.positions.size();
     for (const ShadowSamples& s : found) {
       samples.positions.insert(samples.positions.end(), s.positions.begin(), s.positions.end());

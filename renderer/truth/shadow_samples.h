@@ -11,7 +11,8 @@
 namespace pileus::truth {
 
 struct ShadowSamples {
-  std::vector<vec4> positions;        ///< world, in metres; w is 0
+  dvec3 origin{0};                    ///< world, in metres: amid the media
+  std::vector<vec4> positions;        ///< relative to that, so that they are exact far away too; w is 0
   std::vector<double> transmittance;  ///< exp(-tau) from the light, media only
 };
 

@@ -49,7 +49,6 @@ void setCamera(gl::Program& program, const RenderOptions& o) {
   const glm::dmat3 axes = scene::basis(o.camera);
   const double th = std::tan(glm::radians(o.camera.fov) / 2);
   program.set("size", o.size);
-  program.set("eye", vec3(o.camera.eye));
   program.set("right", vec3(axes[0] * th * (static_cast<double>(o.size.x) / o.size.y)));
   program.set("up", vec3(axes[1] * th));
   program.set("back", vec3(axes[2]));
@@ -65,8 +64,10 @@ void CameraMarch::list(const RenderOptions& options, const LightSet& lights) {
 }
 
 void CameraMarch::plan(residency::MarchBudget& budget, const RenderOptions& options, const LightSet& lights,
-                       const gl::DeviceInfo& device, int lane) const {
-  budget.plan(marchCost(options, drawn(lights), bounds_, run.longestList(), lights), device, lane);
+                       const gl::DeviceInfo& device, int lane, int reached) const {
+  residency::MarchCost cost = marchCost(options, drawn(lights), bounds_, run.longestList(), lights);
+  cost.reached = reached;
+  budget.plan(cost, device, lane);
 }
 
 Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry,
@@ -75,7 +76,9 @@ Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry
                                        const gl::Defines& defines) const {
   gl::Defines all = lights.defines();
   for (const gl::Defines& more : {run.defines(), defines}) all.insert(all.end(), more.begin(), more.end());
-  all.insert(all.end(), {{"SOLIDS", lights.drawnSolids() > 0}, {"RESUME", budget.resumes()}});
+  all.insert(
+      all.end(),
+      {{"SOLIDS", lights.drawnSolids() > 0}, {"RESUME", budget.resumes()}, {"REACHED", budget.reached()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({entry}, all));
   run.bind(gpu.bricks, *program);
   setCamera(*program, options);

@@ -13,16 +13,17 @@ namespace pileus::view {
 class CameraMarch {
  public:
   /// Uploads the bricks of these lights' volumes for about `ms` milliseconds; go on once its fraction is 1.
-  Result<residency::Residency> prepare(const shadow::Gpu& gpu, const LightSet& lights, double ms) {
-    return run.prepare(gpu.bricks, lights.volumes(), ms);
+  Result<residency::Residency> prepare(const shadow::Gpu& gpu, const RenderOptions& options,
+                                       const LightSet& lights, double ms) {
+    return run.prepare(gpu.bricks, lights.volumes(), ms, options.camera.eye);
   }
   /// Lists of what is drawn: the same, whichever lights there are.
   void list(const RenderOptions& options, const LightSet& lights);
-  /// How marches under these lights pause; `lane` as in MarchBudget::plan().
+  /// How marches under these lights pause; `lane` as in MarchBudget::plan(), `reached` as in MarchCost.
   void plan(residency::MarchBudget& budget, const RenderOptions& options, const LightSet& lights,
-            const gl::DeviceInfo& device, int lane) const;
+            const gl::DeviceInfo& device, int lane, int reached = 1) const;
   /// The variant of an entry for what is listed and these lights, with `defines` of its own; current, with
-  /// volumes, lists, camera and solids bound. The lights are the caller's to bind.
+  /// volumes, lists, camera and solids bound. The lights are the caller's to bind, relative to the eye.
   Result<gl::Program*> bind(const shadow::Gpu& gpu, const char* entry, const RenderOptions& options,
                             const LightSet& lights, const residency::MarchBudget& budget,
                             const gl::Defines& defines = {}) const;

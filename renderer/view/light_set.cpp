@@ -9,9 +9,11 @@ namespace {
 
 const scene::Light kNoLight{.towards = {0, 1, 0}, .emitted = vec3(0.0f)};
 
-gpu::SolidRecord makeRecord(const scene::Solid& solid) {
+gpu::SolidRecord makeRecord(const scene::Solid& solid, const dvec3& origin) {
   const float shape = solid.shape == scene::SolidShape::Plane ? SOLID_PLANE : SOLID_BOX;
-  return {mat4(glm::inverse(solid.worldFromLocal)), mat4(solid.worldFromLocal), vec4(solid.albedo, shape)};
+  dmat4 placed = solid.worldFromLocal;
+  placed[3] -= dvec4(origin, 0);
+  return {mat4(glm::inverse(placed)), mat4(placed), vec4(solid.albedo, shape)};
 }
 
 }  // namespace
@@ -30,7 +32,7 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
     if (known != lists.end()) return ivec2(known->second, int(list.size()));
     const int first = int(solids_.size());
     lists.push_back({&list, first});
-    for (const scene::Solid& s : list) solids_.push_back(makeRecord(s));
+    solids_.insert(solids_.end(), list.begin(), list.end());
     return ivec2(first, int(list.size()));
   };
   rangeOf(solids);
@@ -69,12 +71,12 @@ gl::Defines LightSet::defines() const {
   return out;
 }
 
-void LightSet::bind(const shadow::ShadowStore& store) {
+void LightSet::bind(const shadow::ShadowStore& store, const dvec3& origin) {
   std::vector<gpu::LightRecord>& records = made_;
   records.clear();
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     const shadow::ShadowMap* shadow = lights_[i].shadow.get();
-    gpu::LightRecord& r = records.emplace_back(shadow::makeRecord(lights_[i].light, shadow));
+    gpu::LightRecord& r = records.emplace_back(shadow::makeRecord(lights_[i].light, shadow, origin));
     if (shadow && shadow->kind == shadow::ShadowMap::Kind::RayMarch)
       r.items.y = marched_[i].x, r.items.z = marched_[i].y;
     r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y;
@@ -82,10 +84,12 @@ void LightSet::bind(const shadow::ShadowStore& store) {
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
   records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
   records_.assign(std::span<const gpu::LightRecord>(records));
-  if (!uploaded_) {
+  if (uploaded_ != origin) {
+    madeSolids_.clear();
+    for (const scene::Solid& s : solids_) madeSolids_.push_back(makeRecord(s, origin));
     items_.assign(std::span<const int>(marchItems_));
-    solidRecords_.assign(std::span<const gpu::SolidRecord>(solids_));
-    uploaded_ = true;
+    solidRecords_.assign(std::span<const gpu::SolidRecord>(madeSolids_));
+    uploaded_ = origin;
   }
   store.bind();
   records_.bindUniform(BIND_LIGHTS);

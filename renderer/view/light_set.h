@@ -1,6 +1,8 @@
 #pragma once
 // The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes
 // their shadows march through and the solids that block them. GL thread.
+#include <optional>
+
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/volume_set.h"
@@ -27,18 +29,19 @@ class LightSet {
   /// Variant constants of lib/light_transmittance.glsl, those of the map lookup included.
   gl::Defines defines() const;
   /// Records (made anew: maps may have moved), lists and the maps themselves to their binding points. At
-  /// least one light is bound, a black one if need be.
-  void bind(const shadow::ShadowStore& store);
+  /// least one light is bound, a black one if need be. Places are relative to `origin`, as the volumes'.
+  void bind(const shadow::ShadowStore& store, const dvec3& origin = dvec3(0));
 
  private:
   std::vector<shadow::ShadowedLight> lights_;
   volume::InstanceList volumes_;
   std::size_t drawnVolumes_, drawnSolids_;
   std::vector<int> marchItems_;
-  std::vector<gpu::SolidRecord> solids_;
+  scene::SolidList solids_;
   std::vector<ivec2> marched_, blockers_;  ///< per light: first and count in marchItems_ and in solids_
   std::vector<gpu::LightRecord> made_;     ///< by the last bind(); kept for its storage
-  bool uploaded_ = false;
+  std::vector<gpu::SolidRecord> madeSolids_;
+  std::optional<dvec3> uploaded_;  ///< relative to what
   gl::Buffer records_{"light records"}, items_{"shadow items"}, solidRecords_{"solid records"};
 };
 

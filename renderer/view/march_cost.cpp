@@ -69,7 +69,11 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   std::vector<double> steps;
   for (const volume::Instance& i : volumes) steps.push_back(cameraSteps(o, i));
   const double stretches = 2.0 * longest + 1;
-  const double most = std::min(mostInTile(o.size, bounds, steps) + stretches, STRETCH_MOST_STEPS * stretches);
+  // Where steps are cut for what is dense they are looked at up to three times; all the optical depth that
+  // matters takes a few dozen of them, and each run of steps begins with a sample more.
+  constexpr double kDenseSteps = 64, kLooks = 3;
+  const double most = kDenseSteps + kLooks * std::min(mostInTile(o.size, bounds, steps) + stretches,
+                                                      STRETCH_MOST_STEPS * stretches);
   double fixed = 2, shadows = 0;
   for (const shadow::ShadowedLight& l : lights.lights()) {
     fixed += 2;

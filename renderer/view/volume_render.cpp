@@ -1,6 +1,7 @@
 #include "renderer/view/volume_render.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
@@ -8,6 +9,8 @@
 namespace pileus::view {
 
 namespace {
+
+constexpr int kUnrolledLights = 3;
 
 /// Those that the layer is made of.
 std::vector<shadow::ShadowedLight> lightsOf(const RenderScene& scene) {
@@ -43,7 +46,10 @@ void VolumeRenderPass::start(const shadow::Gpu& gpu) {
     picture_->color.clear();
   seed_.reset();
   march_.list(o, lights_);
-  march_.plan(budget_, o, lights_, gpu.device, pauseAfter_);
+  // Few lights in registers; of many the room for them is cut into few sizes, as each is a variant.
+  const int lights = std::max(int(lights_.lights().size()), 1);
+  march_.plan(budget_, o, lights_, gpu.device, pauseAfter_,
+              lights <= kUnrolledLights ? lights : int(std::bit_ceil(unsigned(lights))));
   const ivec2 lo = glm::clamp(ivec2(glm::floor(o.region.min * dvec2(o.size))), ivec2(0), o.size - 1);
   const ivec2 hi = glm::clamp(ivec2(glm::ceil(o.region.max * dvec2(o.size))), lo + 1, o.size);
   march_.run.cursor = gl::RegionCursor(hi - lo, gpu.device);
@@ -55,10 +61,10 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   const int samples = scene_->options.samples;
   if (picture_ && picture_->samples >= samples) return 1.0;  // asked again while layers beside it are made
   PILEUS_CHECK(lights_.check());
-  PILEUS_TRY(residency_, march_.prepare(gpu, lights_, ms));
+  PILEUS_TRY(residency_, march_.prepare(gpu, scene_->options, lights_, ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
   if (!picture_) start(gpu);
-  lights_.bind(gpu.store);
+  lights_.bind(gpu.store, scene_->options.camera.eye);
   gl::RegionCursor& cursor = march_.run.cursor;
   do {
     PILEUS_TRY(const bool drawn, dispatch(gpu));
@@ -72,7 +78,6 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
 }
 
 Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
-  constexpr int kUnrolledLights = 3;
   const RenderOptions& o = scene_->options;
   const int lights = std::max(int(lights_.lights().size()), 1);
   const bool depth = o.layer.kind == PictureLayer::Kind::Depth;

@@ -43,7 +43,7 @@ TEST(ShadowSamples, LieInTheMediaWithTheExactTransmittance) {
     ASSERT_EQ(s.positions.size(), 4000u);
     ASSERT_EQ(s.transmittance.size(), 4000u);
     for (std::size_t i = 0; i < s.positions.size(); ++i) {
-      const dvec3 p(vec3(s.positions[i]));
+      const dvec3 p = s.origin + dvec3(vec3(s.positions[i]));
       ASSERT_TRUE(volume::sigmaAt(kGap[0], p) > 0 || volume::sigmaAt(kGap[1], p) > 0);
       ASSERT_NEAR(s.transmittance[i], std::exp(-shadow::opticalDepthToLight(kGap, light, p)), 1e-5);
       if (light.kind == scene::LightKind::Spot) {
@@ -73,7 +73,7 @@ TEST(ShadowSamples, AreUniformOverDistanceUnderAPointLight) {
   double mean = 0, second = 0;
   dvec3 centre(0);
   for (std::size_t i = 0; i < s.positions.size(); ++i) {
-    const vec3 p(s.positions[i]);
+    const vec3 p = vec3(s.origin) + vec3(s.positions[i]);
     const double r = double(glm::length(p)), n = double(s.positions.size());
     ASSERT_NEAR(s.transmittance[i], std::exp(-2 * r), 1e-5);
     mean += r / n, second += r * r / n;

@@ -1,5 +1,5 @@
-// Camera rays through the media of a scene, front to back and up to the nearest solid. A shader that includes
-// this says what it makes of them: passStep and addSample.
+// Camera rays through the media of a scene, front to back and up to the nearest solid. Places are relative to
+// the eye. A shader that includes this says what it makes of them: passStep and addSample.
 // Variant constants: SOLIDS (1: there are some to draw), RESUME (1: a ray may take several dispatches,
 // lib/resume.glsl), SHAPES and those of lib/stretch.glsl.
 #pragma once
@@ -7,12 +7,13 @@
 #include "lib/solid.glsl"
 
 uniform ivec2 regionOrigin, regionEnd, size;
-uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
+uniform vec3 right, up, back;       // right and up are scaled to half the picture at distance 1
 uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
 uniform float stepScale;            // steps of so many details
 uniform int solidCount;             // drawn: the first ones
 const bool kSolids = SOLIDS != 0;
-const float kOpaque = 1e-4;  // a ray of less T ends
+const float kOpaque = 1e-4;      // a ray of less T ends
+const float kStepDepth = 0.5;    // optical depth of a step
 
 struct CameraRay {
   vec3 d;
@@ -28,11 +29,18 @@ float T = 1.0;  // of the media in front of what is looked at
 
 // Each step that is looked at, whether there is something in it or not.
 void passStep(Stretch s, inout StretchSample x);
-// The next step with something in it (or, once there is none, one without): all but what it takes of T.
-void addSample(CameraRay ray, Stretch s, StretchSample x);
+// A stretch without any volume.
+void passGap();
+// The next step with something in it (or, once there is none, one without): all but what it takes of T. False:
+// the same step is due once more.
+bool addSample(CameraRay ray, Stretch s, StretchSample x);
 
-// What of the light behind a step comes through.
-float through(Stretch s, StretchSample x) { return exp(-x.sigma * s.ds); }
+// What of the light behind a step comes through, and the mean of that over the step.
+float through(StretchSample x) { return exp(-depthOf(x)); }
+float meanThrough(StretchSample x) {
+  float depth = depthOf(x);
+  return depth < 1e-2 ? 1.0 - depth * (0.5 - depth / 6.0) : (1.0 - exp(-depth)) / depth;
+}
 
 ivec2 regionPixel() { return regionOrigin + ivec2(gl_GlobalInvocationID.xy); }
 bool inRegion(ivec2 pixel) { return all(lessThan(pixel, regionEnd)); }
@@ -53,52 +61,56 @@ CameraRay cameraRay(ivec2 pixel, vec3 r) {
 }
 
 void findSolid(inout CameraRay ray) {
-  if (kSolids) ray.end = nearestSolid(solidCount, eye, ray.d, ray.solid, ray.normal);
+  if (kSolids) ray.end = nearestSolid(solidCount, vec3(0.0), ray.d, ray.solid, ray.normal);
 }
 
 bool meetsSolid(CameraRay ray) { return kSolids && ray.end < kNoHit && T >= kOpaque && !paused; }
-vec3 solidPoint(CameraRay ray) { return eye + ray.end * ray.d; }
+vec3 solidPoint(CameraRay ray) { return ray.end * ray.d; }
 // From where rays that leave it start.
 vec3 solidClear(CameraRay ray) {
   vec3 p = solidPoint(ray);
   return p + solidClearance(ray.solid, p, ray.normal, ray.end) * ray.normal;
 }
 
-StretchSample nextSample(inout Stretch s, float offset) {
+StretchSample nextSample(inout Stretch s) {
   StretchSample x;
+  vec2 before;
   do {
-    x = look(s, offset);
+    before = vec2(s.at, s.wanted);
+    x = look(s);
     passStep(s, x);
     spendStep();
-  } while (x.sigma <= 0.0 && s.i < s.n && !mustPause());
+  } while (x.sigma <= 0.0 && hasSteps(s) && !mustPause());
   if (x.sigma <= 0.0)
-    foundNothing(s.i, s.n);
+    foundNothing(vec2(s.at, s.wanted), hasSteps(s));
   else
-    foundStep(x.step);
+    foundStep(before);
   spendSample();
   return x;
 }
 
 void marchStretch(CameraRay ray, inout Stretch s) {
-  s.i = firstStep();
+  goOnAt(s.at, s.wanted);
+  StretchSample x;
+  bool done = true, more;
   do {
-    StretchSample x = nextSample(s, ray.offset);
-    addSample(ray, s, x);
-    if (!paused) {
-      T *= through(s, x);
-      stepDone(s.i, s.i < s.n && T >= kOpaque);
-    }
-  } while (s.i < s.n && T >= kOpaque && !paused);
+    if (done) x = nextSample(s);
+    done = addSample(ray, s, x);
+    T *= done && !paused ? through(x) : 1.0;
+    more = !done || (hasSteps(s) && T >= kOpaque);
+    if (done && !paused) stepDone(vec2(s.at, s.wanted), more);
+  } while (more && !paused);
 }
 
 void marchMedia(CameraRay ray) {
-  Stretch s = beginStretches(eye, ray.d, firstT(), ray.end, ray.range);
+  Stretch s = beginStretches(vec3(0.0), ray.d, firstPlace(), ray.end, ray.range, ray.offset, kStepDepth);
   bool inMedia = ray.range.x < ray.range.y && mediaAreDue();
   while (inMedia) {
     spendStretch();
-    if (!nextStretch(s, pixelAngle * s.next, stepScale)) break;
+    if (!nextStretch(s, pixelAngle * metres(s.next), stepScale)) break;
     if (s.count > 0) marchStretch(ray, s);
-    bool more = T >= kOpaque && s.next < ray.end;
+    else passGap();
+    bool more = T >= kOpaque && !endsHere(s);
     if (!paused) stretchDone(s.next, more);
     inMedia = more && !paused;
   }

@@ -10,6 +10,7 @@ layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MA
 struct Incidence {
   vec3 towards;
   float distance;  // metres; 1e30 for a sun
+  float cone;      // what a spot's cone lets through, 0..1; else 1
   vec3 irradiance;
 };
 
@@ -20,12 +21,47 @@ Incidence lightAt(int l, vec3 p) {
   Incidence i;
   i.towards = sun ? lights[l].towards.xyz : r > 0.0 ? to / r : lights[l].towards.xyz;
   i.distance = sun ? 1e30 : r;
-  float falloff = 1.0 / max(max(r2, lights[l].emitted.w * lights[l].emitted.w), 1e-12);
+  float falloff = 1.0 / max(max(r2, lights[l].emitted.w * lights[l].emitted.w), 1e-30);
   float edge = lights[l].towards.w, inner = lights[l].position.w;
   float t = clamp((dot(i.towards, lights[l].towards.xyz) - edge) / max(inner - edge, 1e-6), 0.0, 1.0);
-  falloff *= lights[l].items.w == LIGHT_SPOT ? t * t * (3.0 - 2.0 * t) : 1.0;
-  i.irradiance = lights[l].emitted.rgb * (sun ? 1.0 : falloff);
+  i.cone = lights[l].items.w == LIGHT_SPOT ? t * t * (3.0 - 2.0 * t) : 1.0;
+  i.irradiance = lights[l].emitted.rgb * (sun ? 1.0 : falloff * i.cone);
   return i;
+}
+
+// A piece of a ray as a light near it sees it: along it 1/r^2 may have any peak, so it is integrated. With
+// the foot of the light on the ray at `foot` and h its distance from there, r^2 = h^2 + (t - foot)^2, and in
+// the angle at which the light sees a point, tan(angle) = (t - foot)/h, dt/r^2 is d(angle)/h.
+struct Passage {
+  float falloff;   // mean of 1/max(r^2, radius^2) [1/m^2]; of a sun 1
+  float centre;    // where in the piece the mean lies that 1/r^2 weighs, 0..1
+  float spread;    // how much that weight is spread out: 1 evenly, 0 at one point
+  vec2 angles;     // of its ends
+};
+
+const Passage kSunPassage = Passage(1.0, 0.5, 1.0, vec2(0.0));
+
+// Integral of 1/(h^2 + t^2) over t0 .. t1, which both have the same sign, or are 0.
+float integralOfFalloff(float h, float t0, float t1) {
+  return t1 > t0 ? atan(h * (t1 - t0) / (h * h + t0 * t1)) / h : 0.0;
+}
+
+// The piece of unit direction d over ds metres from p.
+Passage passageOf(int l, vec3 p, vec3 d, float ds) {
+  vec3 to = lights[l].position.xyz - p;
+  float foot = dot(to, d), radius = lights[l].emitted.w;
+  // A ray that meets a point is as bright as one that passes next to it: nothing is so thin as a line.
+  float h = max(length(to - foot * d), 1e-5 * ds + 1e-7 * abs(foot)), a = -foot, b = ds - foot;
+  float inside = sqrt(max(radius * radius - h * h, 0.0));  // half of what lies in the light
+  float sum = integralOfFalloff(h, a, min(b, -inside)) + integralOfFalloff(h, max(a, inside), b);
+  if (inside > 0.0) sum += max(min(b, inside) - max(a, -inside), 0.0) / (radius * radius);
+  Passage q;
+  q.falloff = sum / ds;
+  q.angles = vec2(atan(a, h), atan(b, h));
+  float mean = 0.5 * log((h * h + b * b) / (h * h + a * a)) / max(sum, 1e-30), square = ds / max(sum, 1e-30) - h * h;
+  q.centre = clamp((mean - a) / ds, 0.0, 1.0);
+  q.spread = clamp(12.0 * (square - mean * mean) / (ds * ds), 0.0, 1.0);
+  return q;
 }
 
 // Maps of point lights have six faces: 0..5 = +X -X +Y -Y +Z -Z of light space. A face's image plane is

@@ -19,7 +19,7 @@ Incidence unshadowed(int l, vec3 p) {
 #if LOCAL_LIGHTS
   return lightAt(l, p);
 #else
-  return Incidence(lights[l].towards.xyz, 1e30, lights[l].emitted.rgb);
+  return Incidence(lights[l].towards.xyz, 1e30, 1.0, lights[l].emitted.rgb);
 #endif
 }
 
@@ -28,7 +28,7 @@ Incidence unshadowed(int l, vec3 p) {
 float marchedTransmittance(int l, vec3 p, vec3 towards, float distance) {
   int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0, k = firstItem();
   float tau = firstTau();
-  for (; k < count && tau < 30.0; ++k) {
+  for (; k < count && tau < kDarkness; ++k) {
     spend(1);
     if (pausesAtItem()) break;
     int v = texelFetch(shadowItems, lights[l].items.y + k).x;
@@ -58,6 +58,20 @@ float lightTransmittanceTowards(int l, vec3 p, vec3 towards, float distance, boo
 float lightTransmittance(int l, vec3 p) {
   Incidence i = unshadowed(l, p);
   return lightTransmittanceTowards(l, p, i.towards, i.distance, true);
+}
+
+// What is left of light l at p, in a medium, by solids and its cone: not by media, which light passes gradually.
+float openTo(int l, vec3 p) {
+  Incidence i = unshadowed(l, p);
+  return i.cone * solidVisibility(l, p, i.towards, i.distance);
+}
+
+// A piece of a ray as light l sees it.
+Passage passage(int l, vec3 p, vec3 d, float ds) {
+#if LOCAL_LIGHTS
+  if (lights[l].items.w != LIGHT_SUN) return passageOf(l, p, d, ds);
+#endif
+  return kSunPassage;
 }
 
 // E(p) [W/m^2] of light l on a surface that faces it, shadows included.

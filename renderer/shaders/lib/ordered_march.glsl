@@ -26,25 +26,33 @@ bool lastWindow() { return true; }
 vec2 windowOf(float rayLength) { return vec2(0.0, 1e30); }
 #endif
 
+// Steps of so much optical depth at most, as long as there is light: a straight line over one is off by an
+// eighth of its square.
+const float kOrderedDepth = 0.08;
+
 Stretch beginMarch(MapRay ray, ivec2 range) {
   vec2 window_ = windowOf(ray.length);
-  return beginStretches(ray.o, ray.d, window_.x, min(window_.y, ray.length), range);
+  return beginStretches(ray.o, ray.d, vec2(window_.x, 0.0), min(window_.y, ray.length), range, 0.5,
+                        kOrderedDepth);
 }
 
-// The next step [a, b] (metres) with something in it, and its extinction [1/m]. False at the end.
-bool nextStep(inout Stretch s, out float a, out float b, out float sigma) {
-  sigma = 0.0, a = 0.0, b = 0.0;
+// The next step [a, b] (metres) with something in it, and its optical depth. False at the end. T: what of the
+// light arrives there.
+bool nextStep(inout Stretch s, float T, out float a, out float b, out float depth) {
+  depth = 0.0, a = 0.0, b = 0.0;
+  s.most = T > 1e-5 ? kOrderedDepth : 1e30;
   bool more = true;
   int guard = 0;
   do {
-    if (s.i >= s.n) more = s.next < s.end && nextStretch(s, footprintAt(s.next), 0.5 * float(STEP_HALVES));
-    if (more && s.i < s.n) {
-      StretchSample x = look(s, 0.5);
-      sigma = x.sigma;
-      a = s.t + float(x.step) * s.ds;
-      b = a + s.ds;
+    if (!hasSteps(s))
+      more = !endsHere(s) && nextStretch(s, footprintAt(metres(s.next)), 0.5 * float(STEP_HALVES));
+    if (more && hasSteps(s)) {
+      StretchSample x = look(s);
+      depth = depthOf(x);
+      a = metresTo(s, x.from);
+      b = metresTo(s, x.from + x.ds);
     }
     ++guard;
-  } while (more && sigma <= 0.0 && guard < 32768);
-  return more && sigma > 0.0;
+  } while (more && depth <= 0.0 && guard < 32768);
+  return more && depth > 0.0;
 }

@@ -29,12 +29,13 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
       footprintAt(0.5 * dot(vec2(1.0), clamp(extentOfVolume(v, ray.o, ray.d), vec2(0.0), vec2(ray.length))));
 #endif
   vec2 hit = enterVolume(v, ray.o, ray.d, levelFor(v, size), r);
-  float t0 = max(hit.x, 0.0), t1 = min(hit.y, ray.length), end = intervalsEnd(m);
+  // Metres count from the line's anchor.
+  float t0 = max(hit.x, -r.anchor), t1 = min(hit.y, ray.length - r.anchor), end = intervalsEnd(m);
 #if METRIC == METRIC_INTERVAL
   // Nothing lies outside the intervals (those of a half map are widened outwards), but behind a horizon.
-  t0 = max(t0, m[0] * ray.length);
+  t0 = max(t0, m[0] * ray.length - r.anchor);
 #if !HORIZON
-  t1 = min(t1, end * ray.length);
+  t1 = min(t1, end * ray.length - r.anchor);
 #endif
 #endif
   if (t0 >= t1) return;
@@ -58,8 +59,8 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
       more = first < 0 || (next == i && i + 1 - first < chunk);
       i = max(next, i + 1);
     } while (more && i < n);
-    float x0 = clamp((t0 + float(max(first, 0)) * ds) / ray.length, 0.0, 1.0),
-          x1 = clamp((t0 + float(last) * ds) / ray.length, 0.0, 1.0);
+    float x0 = clamp((r.anchor + (t0 + float(max(first, 0)) * ds)) / ray.length, 0.0, 1.0),
+          x1 = clamp((r.anchor + (t0 + float(last) * ds)) / ray.length, 0.0, 1.0);
     float depth = m0 * ds;
 #if HORIZON
     float front = clamp((end - x0) / max(x1 - x0, 1e-12), 0.0, 1.0);

@@ -1,5 +1,8 @@
 // Walks a ray through overlapping volumes: in stretches, in which the same volumes are active, and step by
-// step within them; the step is the smallest of those active.
+// step within them. A step is as long as the smallest of those active asks for, and shorter where they are so
+// dense that it would hold more than `most` of optical depth.
+// Places on the ray are kept in two parts, the anchor of a volume (metres) and a small rest, and within a
+// stretch count from where it begins: so that what is thin keeps its thickness however far away it is.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they
 // are visited one by one), EMISSION (1: some volumes emit, and it counts; else, and if undefined, no glow)
 // and STRETCH_ALBEDO (1: the active ones' albedo is kept too). A branch on a constant is none.
@@ -15,56 +18,87 @@
 #endif
 
 const bool kOverflow = OVERFLOW != 0;
+const float kNoEdge = 1e30;
+// A volume is inside a stretch that misses so much of its chord: roundings differ between the places at which
+// a compiler repeats them.
+const float kSameEdge = 1e-5;
+// A step that was too dense is taken again with a fraction of its length, one behind it may be longer again.
+const float kLeastOfStep = 1.0 / 16.0, kMostOfStep = 4.0;
 
 struct Stretch {
   vec3 o, d;              // the ray, ...
-  float end;              // ... where it ends, ...
+  float end;              // ... where it ends [m], ...
   ivec2 range;            // ... and its tile's list
-  VolumeRay rays[ACTIVE];
+  float offset;           // 0 .. 1: shifts the steps, 0.5 is none
+  float most;             // optical depth of a step
+  VolumeRay rays[ACTIVE]; // their places count from where the stretch begins
 #if STRETCH_ALBEDO
   vec4 albedo[ACTIVE];
 #endif
   int count, rest;        // how many are active; the first of the list that got no register
-  float t, next, ds;      // from where to where; length of a step
-  float footprint;        // [m] at t
-  int i, n;               // the next step, of how many
+  vec2 begin, next;       // where it begins and where the next one does: anchor, rest
+  float span;             // metres from one to the other
+  float ds;               // [m] a step where nothing is dense
+  float at, wanted;       // metres into the stretch to the next step, and how long it shall be
+  float footprint;        // [m] where it begins
 };
 
-// What there is at one step.
+// What there is at one step; what is too dense for its length has none, and neither has nothing.
 struct StretchSample {
-  int step;
-  float at, sigma;     // place on the ray; sigma_t of all [1/m]
+  float from, ds;      // metres into the stretch, and its length; 0: it is to be taken again
+  float sigma;         // sigma_t of all [1/m]
   vec4 media[ACTIVE];  // factor of the albedo, sigma_t
   vec3 glow;           // radiance that is added per metre
 };
 
-// Before the first stretch, which begins at t.
-Stretch beginStretches(vec3 o, vec3 d, float t, float end, ivec2 range) {
+float metres(vec2 place) { return place.x + place.y; }
+// Metres along the ray to a place in the stretch, and the place.
+float metresTo(Stretch s, float at) { return s.begin.x + (s.begin.y + at); }
+vec3 pointAt(Stretch s, float at) { return s.o + metresTo(s, at) * s.d; }
+float middleOf(StretchSample x) { return x.from + 0.5 * x.ds; }
+float depthOf(StretchSample x) { return x.sigma * x.ds; }
+
+// Before the first stretch, which begins at `from` (anchor, rest).
+Stretch beginStretches(vec3 o, vec3 d, vec2 from, float end, ivec2 range, float offset, float most) {
   Stretch s;
   s.o = o, s.d = d, s.end = end, s.range = range;
+  s.offset = offset, s.most = most;
   s.count = 0, s.rest = range.y;
-  s.t = 0.0, s.next = t, s.ds = 0.0, s.footprint = 0.0;
-  s.i = 0, s.n = 0;
+  s.begin = from, s.next = from, s.span = 0.0;
+  s.ds = 0.0, s.at = 0.0, s.wanted = 0.0, s.footprint = 0.0;
   return s;
 }
+
+bool endsHere(Stretch s) { return metres(s.next) >= s.end; }
+bool hasSteps(Stretch s) { return s.at < s.span; }
+
+// Where steps begin anew their phase is the ray's.
+float firstStep(Stretch s) { return s.ds * (0.5 + s.offset); }
 
 // On to the next stretch, with steps of `scale` details where that footprint counts: who is active just
 // behind `next`, and until when does that stay so? False behind the last volume.
 bool nextStretch(inout Stretch s, float footprint, float scale) {
-  s.t = s.next, s.next = 1e30;
+  s.begin = s.next;
+  s.span = kNoEdge;
   s.footprint = footprint;
   s.count = 0, s.rest = s.range.y;
   float ds = 1e30;
   for (int item = s.range.x; item < s.range.y; ++item) {
     int v = tileItem(item);
     VolumeRay ray;
-    vec2 hit = min(enterVolume(v, s.o, s.d, levelFor(v, footprint), ray), vec2(s.end));
-    bool ahead = hit.x < hit.y && hit.y > s.t, inside = ahead && hit.x <= s.t;
-    s.next = ahead ? min(s.next, inside ? hit.y : hit.x) : s.next;
+    vec2 hit = enterVolume(v, s.o, s.d, levelFor(v, footprint), ray);
+    float ahead = ray.anchor - s.begin.x;
+    vec2 edges = (hit - s.begin.y) + ahead;  // from where the stretch begins
+    float slack = kSameEdge * (hit.y - hit.x);
+    bool counts = hit.x < hit.y && edges.y > slack, inside = counts && edges.x <= slack;
+    float edge = inside ? edges.y : edges.x;
+    bool nearest = counts && edge < s.span;
+    s.span = nearest ? edge : s.span;
+    s.next = nearest ? vec2(ray.anchor, inside ? hit.y : hit.x) : s.next;
     ds = inside ? min(ds, stepFor(v, footprint)) : ds;
     for (int k = 0; k < ACTIVE; ++k) {
       if (inside && s.count == k) {
-        s.rays[k] = ray;
+        s.rays[k] = startingAt(ray, s.begin.y - ahead);
 #if STRETCH_ALBEDO
         s.albedo[k] = albedoOf(v);
 #endif
@@ -73,18 +107,24 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
     s.rest = inside && s.count == ACTIVE ? min(s.rest, item) : s.rest;
     s.count += inside ? 1 : 0;
   }
-  bool more = s.next < 1e30;
-  float steps = clamp(ceil((s.next - s.t) / (ds * scale)), 1.0, float(STRETCH_MOST_STEPS));
-  s.n = more && s.count > 0 ? int(steps) : 0;
-  s.ds = (s.next - s.t) / float(max(s.n, 1));
-  s.i = 0;
+  float end = (s.end - s.begin.x) - s.begin.y;
+  bool more = s.span < kNoEdge && end > 0.0, cut = s.span >= end;
+  s.next = cut ? vec2(s.end, 0.0) : s.next;
+  s.span = more ? min(s.span, end) : 0.0;
+  s.ds = s.span / clamp(ceil(s.span / (ds * scale)), 1.0, float(STRETCH_MOST_STEPS));
+  s.at = more && s.count > 0 ? 0.0 : s.span;
+  s.wanted = firstStep(s);
   return more;
 }
 
-// Is that volume of the list, which got no register, active?
+// Is that volume of the list, which got no register, active? Its places then count from where the stretch
+// begins.
 bool isActive(Stretch s, int item, out VolumeRay ray) {
   vec2 hit = enterVolume(tileItem(item), s.o, s.d, levelFor(tileItem(item), s.footprint), ray);
-  return hit.x <= s.t && hit.y > s.t;
+  float ahead = ray.anchor - s.begin.x, middle = 0.5 * s.span;
+  vec2 edges = (hit - s.begin.y) + ahead;
+  ray = startingAt(ray, s.begin.y - ahead);
+  return edges.x <= middle && edges.y > middle;
 }
 
 #if EMISSION
@@ -99,31 +139,42 @@ vec3 glowOf(Stretch s, int k, vec4 table) { return vec3(0.0); }
 vec3 glowOf(int item, VolumeRay ray, vec4 table) { return vec3(0.0); }
 #endif
 
-// Looks at the next step, `offset` (0 .. 1) into it, and goes on: behind empty bricks at once.
-StretchSample look(inout Stretch s, float offset) {
+// Looks at the middle of the next step and goes on behind it: behind empty bricks at once; not at all where
+// the step is too dense, which makes the next one shorter.
+StretchSample look(inout Stretch s) {
   StretchSample x;
-  x.step = s.i;
-  x.at = s.t + (float(s.i) + offset) * s.ds;
-  float empty = 1e30;
-  for (int k = 0; k < ACTIVE; ++k) empty = k < s.count ? min(empty, emptyUntil(s.rays[k], x.at)) : empty;
-  if (kOverflow) empty = s.rest < s.range.y ? x.at : empty;
-  int to = stepAtOrBehind(s.i, empty, s.t, offset, s.ds);
+  float left = s.span - s.at;
+  x.from = s.at;
+  x.ds = left <= 1.25 * s.wanted ? left : s.wanted;
+  float middle = x.from + 0.5 * x.ds, empty = 1e30;
+  for (int k = 0; k < ACTIVE; ++k) empty = k < s.count ? min(empty, emptyUntil(s.rays[k], middle)) : empty;
+  if (kOverflow) empty = s.rest < s.range.y ? middle : empty;
+  bool something = empty <= middle;
   x.sigma = 0.0, x.glow = vec3(0.0);
   for (int k = 0; k < ACTIVE; ++k) {
-    x.media[k] = k < s.count && to == s.i ? mediumAt(s.rays[k], x.at) : vec4(vec3(1.0), 0.0);
+    x.media[k] = k < s.count && something ? mediumAt(s.rays[k], middle) : vec4(vec3(1.0), 0.0);
     x.sigma += x.media[k].w;
-    x.glow += k < s.count && to == s.i ? glowOf(s, k, x.media[k]) : vec3(0.0);
+    x.glow += k < s.count && something ? glowOf(s, k, x.media[k]) : vec3(0.0);
   }
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
       VolumeRay ray;
       if (isActive(s, item, ray)) {
-        vec4 here = mediumAt(ray, x.at);
+        vec4 here = mediumAt(ray, middle);
         x.sigma += here.w;
         x.glow += glowOf(item, ray, here);
       }
     }
   }
-  s.i = max(to, s.i + 1);
+  float fitting = 0.9 * s.most / max(x.sigma, 1e-30);
+  // No shorter than floats can tell: the step is exact for what does not change within it.
+  bool dense = depthOf(x) > 1.5 * s.most && x.ds > 1e-6 * s.at;
+  float to = something ? (x.ds == left ? s.span : x.from + x.ds) : min(empty, s.span);
+  s.wanted = dense       ? max(fitting, kLeastOfStep * x.ds)
+             : something ? min(s.ds, clamp(fitting, x.ds, kMostOfStep * x.ds))
+                         : firstStep(s);
+  s.at = dense ? s.at : to;
+  x.ds = dense ? 0.0 : something ? x.ds : to - x.from;
+  x.sigma = dense ? 0.0 : x.sigma;
   return x;
 }

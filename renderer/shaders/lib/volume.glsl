@@ -32,9 +32,12 @@ vec4 albedoOf(int v) { return volumeRow(v, 10); }
 float detailOf(int v) { return volumeRow(v, 11).x; }
 ivec4 shapeOf(int v) { return floatBitsToInt(volumeRow(v, 12)); }
 
-// A line o + t d through one mip level of a volume, everything a sample needs in registers.
+// A line through one mip level of a volume, everything a sample needs in registers. Its places o + t d count
+// from `anchor` metres down the line, next to where it enters: t is small there, and a chord is as exact far
+// away as near by.
 struct VolumeRay {
   vec3 o, d;         // level voxel coordinates (local space for an analytic shape)
+  float anchor;
   ivec3 bricks;      // lattice of the level; 1 1 1 for an analytic shape
   int pages;         // its first page
   float extinction;  // [1/m] per unit density; of an analytic shape: its sigma_t; < 0: it only emits
@@ -54,19 +57,39 @@ vec4 remapped(vec4 remap, float density) {
 }
 #endif
 
-// The mip whose voxels match a footprint [m].
+// A coarse voxel stands for what is in it as long as it is thin: up to this optical depth, were it as dense as
+// the densest. Light falls off exponentially, so that the mean extinction of a thick one lets too little pass.
+const float kThinVoxel = 0.1;
+
+// What of a footprint [m] volume v may be averaged over.
+float resolvable(int v, float footprint) {
+  vec4 detail = volumeRow(v, 11);  // x: finest [m], y: shortest mean free path [m]
+  return clamp(footprint, detail.x, max(kThinVoxel * detail.y, detail.x));
+}
+
+// The mip whose voxels match a footprint [m]. A hair more than a power of two is one, whatever the rounding.
 int levelFor(int v, float footprint) {
   ivec4 shape = shapeOf(v);
-  int level = clamp(int(floor(log2(max(footprint / detailOf(v), 1.0)))) + shape.w, shape.w, shape.z - 1);
+  int octave = (floatBitsToInt(1.0001 * resolvable(v, footprint) / detailOf(v)) >> 23) - 127;
+  int level = clamp(octave + shape.w, shape.w, max(shape.z - 1, shape.w));
   return shape.x == SHAPE_GRID ? level : 0;
 }
 
 // March step [m] that resolves volume v at a footprint [m].
 float stepFor(int v, float footprint) {
-  return max(detailOf(v), shapeOf(v).x == SHAPE_GRID ? footprint : 0.0);
+  return shapeOf(v).x == SHAPE_GRID ? resolvable(v, footprint) : detailOf(v);
 }
 
-// The part (t0, t1) of the line inside volume v, and the line ready for sampling at a mip level.
+vec2 intersectShape(ivec4 shape, vec3 o, vec3 d, vec3 lo, vec3 hi) {
+  vec2 hit = intersectBox(o, d, lo, hi);
+#if SHAPES & SHAPES_EXACT
+  if (shape.x == SHAPE_BALL) hit = intersectBall(o, d);
+#endif
+  return hit;
+}
+
+// The part (t0, t1) of the line inside volume v, counted from r.anchor, and the line ready for sampling at a
+// mip level. The anchor is at or behind o.
 vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   mat4 m = localFromWorld(v);
   vec3 lo = (m * vec4(o, 1.0)).xyz, ld = (m * vec4(d, 0.0)).xyz;
@@ -74,15 +97,16 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   ivec4 shape = shapeOf(v);
   r.analytic = shape.x != SHAPE_GRID;
   r.extinction = boxMin.w * (r.analytic ? boxMax.w : 1.0);
+  // Met twice: from o, which may be far, and from the entry found so.
+  vec2 rough = intersectShape(shape, lo, ld, boxMin.xyz, boxMax.xyz);
+  r.anchor = rough.x < rough.y ? max(rough.x, 0.0) : 0.0;
+  lo += r.anchor * ld;
+  vec2 hit = intersectShape(shape, lo, ld, boxMin.xyz, boxMax.xyz);
   r.o = lo, r.d = ld;
   r.bricks = ivec3(1);
   r.pages = 0;
 #if SHAPES & SHAPES_REMAPPED
   r.remap = volumeRow(v, 13);
-#endif
-  vec2 hit = intersectBox(lo, ld, boxMin.xyz, boxMax.xyz);
-#if SHAPES & SHAPES_EXACT
-  if (shape.x == SHAPE_BALL) hit = intersectBall(lo, ld);
 #endif
 #if SHAPES & SHAPES_GRID
   level = clamp(level, shape.w, max(shape.z - 1, 0));
@@ -99,9 +123,18 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   return hit;
 }
 
+// The part of the line inside it, from o; only as exact as that far away.
 vec2 extentOfVolume(int v, vec3 o, vec3 d) {
   VolumeRay r;
-  return enterVolume(v, o, d, 0, r);
+  vec2 hit = enterVolume(v, o, d, 0, r);
+  return hit + r.anchor;
+}
+
+// The same line, its places counted from t.
+VolumeRay startingAt(VolumeRay r, float t) {
+  r.o += t * r.d;
+  r.anchor += t;
+  return r;
 }
 
 // The brick that answers for level position q. Positions in (-1, 0) exist on coarser levels (a coarse voxel's
@@ -195,15 +228,18 @@ int stepAtOrBehind(int i, float t, float t0, float offset, float ds) {
   return max(i, int(min(ceil((t - t0) / ds - offset - 1e-3), 1e6)));
 }
 
+const float kDarkness = 60.0;  // an optical depth behind which none is looked for
+
 // Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of
-// `scale` details. Samples are taken MARCH_UNROLL at a time (written out: a loop would cost iterations); in
-// empty bricks they are zeros, and where a group begins in one it is left at once.
+// `scale` details; no more than kDarkness is needed. Samples are taken MARCH_UNROLL at a time (written out: a
+// loop would cost iterations); in empty bricks they are zeros, and where a group begins in one it is left at
+// once.
 #define MARCH_SAMPLE(j) \
   sum += i + j < n ? sigmaAt(r, begin + float(j) * ds) : 0.0;
 float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
   VolumeRay r;
   vec2 hit = enterVolume(v, p, d, 0, r);
-  float t0 = max(hit.x, 0.0), t1 = max(min(hit.y, tMax), t0);
+  float t0 = max(hit.x, -r.anchor), t1 = max(min(hit.y, tMax - r.anchor), t0);
   if (r.analytic) return r.extinction * (t1 - t0);
   int n = int(clamp(ceil((t1 - t0) / (detailOf(v) * scale)), 1.0, float(MARCH_MOST_STEPS)));
   float ds = (t1 - t0) / float(n), sum = 0.0;
@@ -215,6 +251,6 @@ float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
     MARCH_SAMPLE(0) MARCH_SAMPLE(1) MARCH_SAMPLE(2) MARCH_SAMPLE(3)
     i = max(next, i + MARCH_UNROLL);
     spend(1);
-  } while (i < n);
+  } while (i < n && sum * ds < kDarkness);
   return sum * ds;
 }

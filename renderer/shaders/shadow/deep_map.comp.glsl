@@ -53,7 +53,7 @@ void addPoint(float x, float T) {
 
 void compress(MapTexel mt) {
   Stretch march[kRays];
-  float T[kRays], a[kRays], b[kRays], sigma[kRays];
+  float T[kRays], a[kRays], b[kRays], depth[kRays];
   float length_ = 1.0;
   ivec2 range = tileRange(mt.tall);
   for (int r = 0; r < kRays; ++r) {
@@ -66,7 +66,7 @@ void compress(MapTexel mt) {
 #if WINDOWED
     if (!firstWindow()) T[r] = windowStates[stateSlot(kRays + 8) + 8 + r];
 #endif
-    if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
+    if (!nextStep(march[r], T[r], a[r], b[r], depth[r])) a[r] = 1e30;
   }
   kept = 0, raw = 0;
   bool begun = false;
@@ -95,9 +95,9 @@ void compress(MapTexel mt) {
       addPoint(x0, mean);  // transmittance was constant up to here
     }
     float before = T[r];
-    T[r] *= exp(-sigma[r] * (b[r] - a[r]));
+    T[r] *= exp(-depth[r]);
     addPoint(x1, mean + (T[r] - before) / float(kRays));
-    if (!nextStep(march[r], a[r], b[r], sigma[r])) a[r] = 1e30;
+    if (!nextStep(march[r], T[r], a[r], b[r], depth[r])) a[r] = 1e30;
   }
 #if WINDOWED
   windowStates[slot] = lastX, windowStates[slot + 1] = lastT;

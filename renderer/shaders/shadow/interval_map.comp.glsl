@@ -29,7 +29,8 @@ vec2 coverageFrom(int v, float x) {
   VolumeRay r;
   vec2 hit = enterVolume(v, rayOrigin, rayDirection, 0, r);
   if (hit.x >= hit.y) return vec2(2.0);
-  hit = clamp(hit / rayLength, 0.0, 1.0);
+  hit = clamp((r.anchor + hit) / rayLength, 0.0, 1.0);
+  r = startingAt(r, -r.anchor);
   float lo = max(hit.x, x), hi = hit.y;
 #if BRICKS
   float t = lo * rayLength, end = hi * rayLength, begin = t, nudge = 1e-3 * detailOf(v);
@@ -77,7 +78,7 @@ void probe(ivec2 range, float a[INTERVALS + 1], float b[INTERVALS + 1], int coun
                     levelFor(v, max(footprintAt(a[0] * rayLength), covered * rayLength / float(PROBES))), r);
     for (int i = 0; i < PROBES; ++i) {
       if (i >= k) break;
-      float t = at[i] * rayLength;
+      float t = at[i] * rayLength - r.anchor;
       sigma[i] += t >= hit.x && t <= hit.y ? sigmaAt(r, t) : 0.0;
     }
   }

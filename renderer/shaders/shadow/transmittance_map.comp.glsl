@@ -12,7 +12,7 @@ void main() {
   Stretch march = beginMarch(ray, tileRange(mt.tall));
   float c[BASIS_FLOATS];
   for (int i = 0; i < BASIS_FLOATS; ++i) c[i] = 0.0;
-  float T = 1.0, done = 0.0, a, b, sigma;
+  float T = 1.0, done = 0.0, a, b, depth;
 #if WINDOWED
   int slot = stateSlot(BASIS_FLOATS + 2);
   if (!firstWindow()) {
@@ -23,7 +23,7 @@ void main() {
   // What is constant between two steps is projected as one piece, whatever its length.
   bool more;
   do {
-    more = nextStep(march, a, b, sigma);
+    more = nextStep(march, T, a, b, depth);
     if (!more && !lastWindow()) break;
     float from = more ? a / ray.length : 1.0, to = more ? min(b / ray.length, 1.0) : 1.0;
     // In pieces short against a basis period: sinc is a series.
@@ -33,7 +33,6 @@ void main() {
             x1 = mix(done, from, float(piece + 1) / float(pieces));
       projectStep(BASIS, c, T * (x1 - x0), x0, x1);
     }
-    float depth = more ? sigma * (b - a) : 0.0;
     float mean = depth < 1e-3 ? 1.0 - 0.5 * depth : (1.0 - exp(-depth)) / max(depth, 1e-20);
     projectStep(BASIS, c, T * mean * max(to - from, 0.0), from, to);
     T *= exp(-depth);

@@ -1,5 +1,5 @@
 // How far shadow maps are off in what a picture shows: marches camera rays as view/volume_render does, pixel
-// centres and step midpoints, and at each sample with extinction asks both lights of each pair, 2 i with its
+// centres, and in the middle of each step with extinction asks both lights of each pair, 2 i with its
 // map and 2 i + 1 with ray-marched truth.
 // Adds to `errors` (SUM w dT, SUM |dT|, the dT of largest magnitude, number of samples) and to
 // `transmittances` (SUM w T, SUM w T true, SUM w, 0), w: how much of the sample is seen. A solid behind the
@@ -51,12 +51,14 @@ void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
 }
 
 void passStep(Stretch s, inout StretchSample x) {}
+void passGap() {}
 
-void addSample(CameraRay ray, Stretch s, StretchSample x) {
-  vec3 p = eye + x.at * ray.d;
-  float weight = T * (1.0 - through(s, x));
+bool addSample(CameraRay ray, Stretch s, StretchSample x) {
+  vec3 p = pointAt(s, middleOf(x));
+  float weight = T * (1.0 - through(x));
   if (x.sigma > 0.0)
     for (int i = 0; i < pairCount; ++i) addPair(i, p, weight, 1.0, true);
+  return true;
 }
 
 void addSolid(CameraRay ray) {

@@ -1,7 +1,8 @@
 // Single scattering, front to back: L = integral of T_cam sigma_s p E T_light ds, one sample per pixel and
-// dispatch, averaged into the target. The march ends at the nearest solid, which adds T_cam albedo / pi SUM E
+// dispatch, averaged into the target. Over a step the medium is what it is in its middle; light is looked up
+// where steps begin and end. The march ends at the nearest solid, which adds T_cam albedo / pi SUM E
 // cos T_light. What emits adds its radiance per metre to the source, and lights nothing.
-// Variant constants: LIGHTS (their number, or 0: lightCount), DEPTH (1: no light, but the mean depth of what
+// Variant constants: LIGHTS (their number, or 0: lightCount), REACHED (at least as many), DEPTH (1: no light, but the mean depth of what
 // scatters), those of lib/camera_march.glsl and of lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
 #include "lib/camera_march.glsl"
@@ -19,16 +20,19 @@ uniform int lightCount, sampleIndex, samples;  // at least one light (a black on
 const bool kDepth = DEPTH != 0;
 const int kLights = LIGHTS;  // known: their loop is unrolled, offsets into the uniform block are constants
 
+const float kNoLight = 1e-30;  // transmittance: its logarithm is taken
+
 vec3 L = vec3(0.0);  // with DEPTH: sums of weight and depth, and of weight
 
 int lightsHere() { return kLights > 0 ? kLights : lightCount; }
 
-// What light l sends to p, black where that is counted already or has to wait for the next dispatch.
-vec3 arrivingIfDue(int l, vec3 p, bool inMedium, out vec3 towards) {
+// What light l sends to a surface at p, black where that is counted already or has to wait for the next
+// dispatch.
+vec3 arrivingIfDue(int l, vec3 p, out vec3 towards) {
   vec3 arriving = vec3(0.0);
   towards = vec3(0.0);
   if (lightIsDue(l)) {
-    arriving = lightArriving(l, p, inMedium, towards);
+    arriving = lightArriving(l, p, false, towards);
     lightDone(l);
   }
   return paused ? vec3(0.0) : arriving;
@@ -47,49 +51,101 @@ vec3 scattering(Stretch s, StretchSample x, float cosine) {
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
       VolumeRay ray;
-      if (isActive(s, item, ray)) sum += scattering(albedoOf(tileItem(item)), mediumAt(ray, x.at), cosine);
+      if (isActive(s, item, ray))
+        sum += scattering(albedoOf(tileItem(item)), mediumAt(ray, middleOf(x)), cosine);
     }
   }
   return sum;
 }
 
-// What all lights send to the sample and it sends back along the ray, per metre.
-vec3 scattered(CameraRay ray, Stretch s, StretchSample x) {
-  vec3 p = eye + x.at * ray.d, sum = vec3(0.0);
-  int l = 0;
+// The same of what light l sends, over a step. Light travels along -towards and is scattered into -d: the
+// cosine is that between the two directions of travel. A near light's turns on the way; at an angle a it is
+// -sin a, and each angle has the same part in 1/r^2.
+vec3 scattering(Stretch s, StretchSample x, int l, Passage q) {
+#if LOCAL_LIGHTS
+  bool sun = lights[l].items.w == LIGHT_SUN;
+  const float kAngle = 0.25;  // over which no phase function changes much
+  float turn = q.angles.y - q.angles.x;
+  int parts = sun ? 1 : int(clamp(ceil(turn / kAngle), 1.0, 16.0)), i = 0;
+  vec3 sum = vec3(0.0);
   do {
-    vec3 towards;
-    vec3 arriving = arrivingIfDue(l, p, true, towards);
-    // Light travels along -towards and is scattered into -d: the cosine between the two directions of travel.
-    sum += scattering(s, x, dot(towards, ray.d)) * arriving;
-    ++l;
-  } while (l < lightsHere());
-  return sum;
+    float angle = q.angles.x + (float(i) + 0.5) / float(parts) * turn;
+    sum += scattering(s, x, sun ? dot(lights[l].towards.xyz, s.d) : -sin(angle));
+    ++i;
+  } while (i < parts);
+  return sum / float(parts);
+#else
+  return scattering(s, x, dot(lights[l].towards.xyz, s.d));
+#endif
+}
+
+// Mean over a step of the light that comes out of it where it begins: `first` and `last` reach its ends, and
+// from one to the other light falls off exponentially, exactly so in what is uniform; what is between costs the
+// depth of the step.
+float meanReaching(float first, float last, float depth, Passage q) {
+  float fall = log(first / last) + depth, seen = last * exp(-depth);
+  float even = abs(fall) < 0.05 ? 0.5 * (first + seen) * (1.0 - fall * fall / 12.0) : (first - seen) / fall;
+#if LOCAL_LIGHTS
+  // Between that, where 1/r^2 is the same everywhere, and what there is where it has its peak.
+  return mix(first * exp(-fall * q.centre), even, q.spread);
+#else
+  return even;
+#endif
 }
 
 // Where nothing scatters no light is looked up: the step's emission passes as it is.
 void passStep(Stretch s, inout StretchSample x) {
-  L += x.sigma <= 0.0 ? T * s.ds * x.glow : vec3(0.0);
-  x.glow = x.sigma <= 0.0 ? vec3(0.0) : x.glow;
+  bool nothing = x.sigma <= 0.0;
+  L += nothing ? T * x.ds * x.glow : vec3(0.0);
+  x.glow = nothing ? vec3(0.0) : x.glow;
+  lit = lit && !(nothing && x.ds > 0.0);
 }
+void passGap() { lit = false; }
 
 void addDepth(CameraRay ray, Stretch s, StretchSample x) {
-  L.xy += T * (1.0 - through(s, x)) * vec2(x.at * ray.forward, 1.0);
+  L.xy += T * (1.0 - through(x)) * vec2(metresTo(s, middleOf(x)) * ray.forward, 1.0);
 }
 
-void addScattered(CameraRay ray, Stretch s, StretchSample x) {
-  vec3 source = scattered(ray, s, x);
-  source += paused ? vec3(0.0) : x.glow;  // with the step's last light
-  // Exact over the step for a constant source and extinction.
-  float depth = x.sigma * s.ds;
-  L += T * (depth < 1e-4 ? s.ds * (1.0 - 0.5 * depth) : (1.0 - through(s, x)) / max(x.sigma, 1e-30)) * source;
+// Where the light is looked up that a step begins or ends with. Next to a face of a volume a hair inside:
+// whatever a ray along the face would meet, none of it is seen here.
+vec3 endOfStep(Stretch s, StretchSample x, bool begin) {
+  float at = begin ? x.from : x.from + x.ds, hair = min(max(1e-3 * x.ds, 5e-7 * metres(s.begin)), 0.5 * x.ds);
+  at += begin && x.from <= 0.0 ? hair : 0.0;
+  at -= !begin && s.at >= s.span ? hair : 0.0;
+  return pointAt(s, at);
 }
 
-void addSample(CameraRay ray, Stretch s, StretchSample x) {
-  if (kDepth)
-    addDepth(ray, s, x);
-  else
-    addScattered(ray, s, x);
+// Solids and cones may cut light off anywhere, so they count as they are in the middle of a step. Where a step
+// begins the light is known from the one before it, or is looked up first.
+bool addScattered(Stretch s, StretchSample x) {
+  bool begin = !lit && x.sigma > 0.0;
+  vec3 from = pointAt(s, x.from), middle = pointAt(s, middleOf(x)), p = endOfStep(s, x, begin);
+  vec3 sum = vec3(0.0);
+  int l = 0;
+  do {
+    if (lightIsDue(l)) {
+      float reaches = max(lightTransmittance(l, p), kNoLight);
+      lightDone(l);
+      Passage q = passage(l, from, s.d, x.ds);
+      float part = openTo(l, middle) * q.falloff * meanReaching(reached[l], reaches, depthOf(x), q);
+      vec3 source = part * lights[l].emitted.rgb * scattering(s, x, l, q);
+      sum += begin || paused ? vec3(0.0) : source;
+      reached[l] = paused ? reached[l] : reaches;
+    }
+    ++l;
+  } while (l < lightsHere());
+  L += T * x.ds * sum;
+  if (paused) return true;
+  if (!begin) L += T * x.ds * meanThrough(x) * x.glow;
+  lit = x.sigma > 0.0;
+  if (begin) lightsAgain();
+  return !begin;
+}
+
+bool addSample(CameraRay ray, Stretch s, StretchSample x) {
+  if (!kDepth) return addScattered(s, x);
+  addDepth(ray, s, x);
+  return true;
 }
 
 // Radiance [W/(m^2 sr)] that the solid at the ray's end sends back.
@@ -98,7 +154,7 @@ vec3 reflected(CameraRay ray) {
   int l = 0;
   do {
     vec3 towards;
-    vec3 arriving = arrivingIfDue(l, off, false, towards);
+    vec3 arriving = arrivingIfDue(l, off, towards);
     sum += arriving * max(dot(ray.normal, towards), 0.0);
     ++l;
   } while (l < lightCount);
@@ -113,17 +169,14 @@ void addSolid(CameraRay ray) {
   T = paused ? T : 0.0;
 }
 
-bool broken(vec4 v) { return any(isnan(v)) || any(isinf(v)); }
-
+// What is not a number is stored as such: whoever reads the picture back says at which pixel it is.
 void storeRadiance(ivec2 pixel, vec4 before) {
   vec4 now = vec4(L, 1.0 - T);
-  if (broken(now)) now = vec4(0.0);
   imageStore(target, pixel, before + (now - before) / float(sampleIndex + 1));
 }
 
 // Weights are averaged, depths by their weights: a pixel half covered is as far away as what covers it.
 void storeDepth(ivec2 pixel, vec4 before) {
-  if (broken(vec4(L, 0.0))) L = vec3(0.0);
   float weight = before.a * float(sampleIndex), all = weight + L.y;
   float depth = all > 0.0 ? (before.r * weight + L.x) / all : 0.0;
   imageStore(target, pixel, vec4(vec3(depth), all / float(sampleIndex + 1)));

@@ -1,0 +1,134 @@
+// Voxels much wider than high, as weather models have them, under a map and under marched shadows.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "tests/support/exact_scattering.h"
+#include "tests/support/noise_grid.h"
+#include "tests/support/shadow_specs.h"
+
+namespace pileus {
+namespace {
+
+using shadow::ShadowSpec;
+
+constexpr ivec3 kVoxels(400, 40, 400);  // y up
+
+volume::GridPtr layer() {
+  static const volume::GridPtr grid = [] {
+    volume::VoxelSource source;
+    source.name = "layer";
+    source.activeMin = ivec3(0);
+    source.activeMax = kVoxels - 1;
+    source.fill = [](ivec3 lo, float* out) {
+      for (int z = 0; z < volume::kStoredSize; ++z)
+        for (int y = 0; y < volume::kStoredSize; ++y)
+          for (int x = 0; x < volume::kStoredSize; ++x) {
+            const vec3 p = vec3(lo + ivec3(x, y, z));
+            const float cells = std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
+                                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
+            const float height = 1 - std::abs(p.y - 20) / 20;
+            *out++ = std::clamp(2 * (cells - 0.15f), 0.0f, 1.0f) * std::clamp(height * 1.5f, 0.0f, 1.0f);
+          }
+      return volume::Fill::Voxels;
+    };
+    JobControl control;
+    return volume::buildBricks(source, control).value().grid;
+  }();
+  return grid;
+}
+
+/// Of an optical depth of about 8 through the layer.
+volume::Instance placed(const dvec3& voxel) {
+  volume::Instance i;
+  i.shape = volume::Shape::Grid;
+  i.grid = layer();
+  i.worldFromLocal = glm::scale(dmat4(1.0), voxel) * glm::translate(dmat4(1.0), -0.5 * dvec3(kVoxels));
+  i.medium.extinction = 8.0 / (25 * voxel.y);
+  return i;
+}
+
+struct Error {
+  double map = 0, marched = 0, seconds = 0;
+};
+
+/// Of T at points in the medium: root of the mean square over the mean; and of the picture.
+Error errorOf(const volume::Instance& grid, const ShadowSpec& spec) {
+  const scene::Light sun = test::sunFrom({0.5, 0.6, 0.35}, 10);
+  Error e;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto map = test::build(spec, {grid}, sun);
+  e.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::vector<vec3> at = test::pointsInside({grid}, 2000, 11);
+  const auto tau = test::lookupTau(*map, sun, at);
+  ShadowSpec march;
+  march.kind = ShadowSpec::Kind::RayMarch;
+  const auto tauMarched = test::lookupTau(*test::shadowed(sun, march, {grid}).shadow, sun, at);
+  double sum = 0, square = 0, squareMarched = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double right = test::T(shadow::opticalDepthToLight({grid}, sun, dvec3(at[i])));
+    const double d = test::T(double(tau[i])) - right, dm = test::T(double(tauMarched[i])) - right;
+    sum += right, square += d * d, squareMarched += dm * dm;
+  }
+  const double n = double(at.size());
+  e.map = std::sqrt(square / n) / (sum / n), e.marched = std::sqrt(squareMarched / n) / (sum / n);
+  return e;
+}
+
+TEST(FlatGrid, ShadowsAreAsGoodAsOfIsotropicVoxels) {
+  test::renderer();
+  test::Rows rows("flat grid");
+  const dvec3 flat(2000, 10, 2000), even(10);
+  for (const int resolution : {256, 1024}) {
+    const ShadowSpec spec = test::improved(4, 8, resolution);
+    const Error a = errorOf(placed(flat), spec), b = errorOf(placed(even), spec);
+    std::printf("flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
+                resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
+    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution), std::max(a.map, b.map),
+               b.map, 0.25, 0.01);
+    rows.check("marched, flat", a.marched, 0, 0, 0.02);
+    rows.check("marched, isotropic", b.marched, 0, 0, 0.02);
+  }
+}
+
+TEST(FlatGrid, PicturesOfMapsAndMarchesAgree) {
+  test::renderer();
+  test::Rows rows("flat grid, picture");
+  const dvec3 flat(2000, 10, 2000), even(10);
+  double errors[2] = {};
+  for (const bool isFlat : {true, false}) {
+    const volume::Instance grid = placed(isFlat ? flat : even);
+    const scene::Light sun = test::sunFrom({0.5, 0.6, 0.35}, 10);
+    view::RenderScene scene;
+    scene.volumes = {grid};
+    scene.options.size = ivec2(64, 48);
+    scene.options.samples = 1;
+    const double size = isFlat ? 2000 : 10;
+    scene.options.camera = {{20 * size, 150 * size, 200 * size}, {0, 0, 30 * size}, {0, 1, 0}, 30};
+    ShadowSpec march;
+    march.kind = ShadowSpec::Kind::RayMarch;
+    scene.lights = {test::shadowed(sun, march, {grid})};
+    const image::Image truth = test::render(scene);
+    scene.lights = {test::shadowed(sun, test::improved(4, 8, 1024), {grid})};
+    const image::Image mapped = test::render(scene);
+    double square = 0, sum = 0;
+    for (std::size_t i = 0; i < truth.layers[0].pixels.size(); i += 4) {
+      const double a = double(mapped.layers[0].pixels[i]), b = double(truth.layers[0].pixels[i]);
+      if (truth.layers[0].pixels[i + 3] > 0.01f) square += (a - b) * (a - b), sum += b;
+      else continue;
+      ++errors[1];
+    }
+    const double n = errors[1];
+    errors[1] = 0;
+    const double e = std::sqrt(square / n) / (sum / n);
+    std::printf("flat grid, picture of %s voxels: map against march %.3f of the mean\n", isFlat ? "flat" : "isotropic", e);
+    if (isFlat) errors[0] = e;
+    else rows.check("error of the flat one against that of the isotropic one", std::max(errors[0], e), e, 0.25, 0.01);
+    for (const auto* image : {&truth, &mapped})
+      for (const float v : image->layers[0].pixels) ASSERT_TRUE(std::isfinite(v));
+  }
+}
+
+}  // namespace
+}  // namespace pileus

@@ -27,8 +27,8 @@ vec2 windowOf(float rayLength) { return vec2(0.0, 1e30); }
 #endif
 
 Stretch beginMarch(MapRay ray, ivec2 range) {
-  vec2 window_ = windowOf(ray.length);
-  return beginStretches(ray.o, ray.d, window_.x, min(window_.y, ray.length), range);
+  vec2 window_ = windowOf(ray.tMax);
+  return beginStretches(ray.o, ray.d, window_.x, min(window_.y, ray.tMax), range);
 }
 
 // The next step [a, b] (metres) with something in it, and its extinction [1/m]. False at the end.

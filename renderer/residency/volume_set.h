@@ -1,8 +1,8 @@
 #pragma once
 // The volume records of one pass.
-#include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/brick_pool.h"
+#include "renderer/residency/scene_table.h"
 #include "renderer/volume/instance.h"
 
 namespace pileus::residency {
@@ -16,11 +16,12 @@ volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances
 
 class VolumeSet {
  public:
-  /// Makes the grids resident within `ms`; once fraction is 1 the records are uploaded in the order given and
-  /// bind() may be called.
+  /// Makes the grids resident within `ms`; once fraction is 1 there are records in the order given and bind()
+  /// may be called.
   Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms);
-  /// Records and bricks to their binding points; atlas uniforms into the program.
-  void bind(const BrickPool& pool, gl::Program& program) const;
+  /// Records into the table (bound by the caller), bricks to their binding points; atlas uniforms into the
+  /// program.
+  void bind(const BrickPool& pool, SceneTable& table, gl::Program& program) const;
   const volume::InstanceList& instances() const { return instances_; }
   /// Variant constant SHAPES of lib/volume.glsl.
   int shapes() const { return shapes_; }
@@ -30,7 +31,7 @@ class VolumeSet {
   Key content_;
   int shapes_ = 0;
   std::uint64_t generation_ = ~std::uint64_t(0);
-  gl::Buffer records_{"volume records"};
+  std::vector<vec4> texels_;  ///< of the table
 };
 
 }  // namespace pileus::residency

@@ -32,12 +32,14 @@ class Lookups {
     return l;
   }
 
-  void bind(const shadow::Gpu& gpu) {
+  Result<void> bind(const shadow::Gpu& gpu) {
     program_->use();
-    volumes_.bind(gpu.bricks, *program_);
-    lights_.bind(gpu.store);
+    volumes_.bind(gpu.bricks, table_, *program_);
+    lights_.bind(gpu.store, table_);
+    PILEUS_CHECK(table_.bind(*program_));
     in_.bindStorage(BIND_TEST_IN);
     out_.bindStorage(BIND_TEST_OUT);
+    return {};
   }
   /// Waits.
   void dispatch(int first, int end, int repeats = 1) {
@@ -93,6 +95,7 @@ class Lookups {
     out_.reserve(std::max<std::size_t>(positions.size(), 1) * sizeof(float));
   }
   view::LightSet lights_;
+  residency::SceneTable table_;
   residency::VolumeSet volumes_;
   gl::Program* program_ = nullptr;
   gl::Buffer in_{"lookup positions"}, out_{"lookup results"};
@@ -105,7 +108,7 @@ class Lookups {
 Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
                                                std::span<const vec4> positions) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, positions));
-  lookups.bind(gpu);
+  PILEUS_CHECK(lookups.bind(gpu));
   return lookups.all();
 }
 
@@ -129,7 +132,7 @@ ShadowError shadowError(std::span<const float> mapped, std::span<const double> t
 Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples,
                           int dispatches) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, samples.positions));
-  lookups.bind(gpu);
+  PILEUS_CHECK(lookups.bind(gpu));
   ProbeResult r;
   r.error = shadowError(lookups.all(), samples.transmittance);
   if (dispatches > 0) r.nsPerLookup = lookups.nanoseconds(dispatches, gpu.device.software);

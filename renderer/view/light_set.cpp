@@ -69,7 +69,7 @@ gl::Defines LightSet::defines() const {
   return out;
 }
 
-void LightSet::bind(const shadow::ShadowStore& store) {
+void LightSet::bind(const shadow::ShadowStore& store, residency::SceneTable& table) {
   std::vector<gpu::LightRecord>& records = made_;
   records.clear();
   for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -82,15 +82,10 @@ void LightSet::bind(const shadow::ShadowStore& store) {
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
   records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
   records_.assign(std::span<const gpu::LightRecord>(records));
-  if (!uploaded_) {
-    items_.assign(std::span<const int>(marchItems_));
-    solidRecords_.assign(std::span<const gpu::SolidRecord>(solids_));
-    uploaded_ = true;
-  }
+  table.set(residency::SceneTable::Section::ShadowItems, std::span<const int>(marchItems_));
+  table.set(residency::SceneTable::Section::Solids, std::span<const gpu::SolidRecord>(solids_));
   store.bind();
   records_.bindUniform(BIND_LIGHTS);
-  items_.bindTexels(UNIT_SHADOW_ITEMS, GL_R32I);
-  solidRecords_.bindTexels(UNIT_SOLIDS, GL_RGBA32F);
 }
 
 }  // namespace pileus::view

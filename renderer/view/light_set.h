@@ -26,9 +26,9 @@ class LightSet {
   Result<void> check() const;
   /// Variant constants of lib/light_transmittance.glsl, those of the map lookup included.
   gl::Defines defines() const;
-  /// Records (made anew: maps may have moved), lists and the maps themselves to their binding points. At
-  /// least one light is bound, a black one if need be.
-  void bind(const shadow::ShadowStore& store);
+  /// Records (made anew: maps may have moved) and the maps themselves to their binding points, lists into the
+  /// table, which is the caller's to bind. At least one light is bound, a black one if need be.
+  void bind(const shadow::ShadowStore& store, residency::SceneTable& table);
 
  private:
   std::vector<shadow::ShadowedLight> lights_;
@@ -38,8 +38,7 @@ class LightSet {
   std::vector<gpu::SolidRecord> solids_;
   std::vector<ivec2> marched_, blockers_;  ///< per light: first and count in marchItems_ and in solids_
   std::vector<gpu::LightRecord> made_;     ///< by the last bind(); kept for its storage
-  bool uploaded_ = false;
-  gl::Buffer records_{"light records"}, items_{"shadow items"}, solidRecords_{"solid records"};
+  gl::Buffer records_{"light records"};
 };
 
 }  // namespace pileus::view

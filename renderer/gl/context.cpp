@@ -3,6 +3,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,10 @@ Result<DeviceInfo> inspectCurrentContext() {
   info.maxTextureSize = glInt(GL_MAX_TEXTURE_SIZE);
   info.max3dTextureSize = glInt(GL_MAX_3D_TEXTURE_SIZE);
   info.maxArrayLayers = glInt(GL_MAX_ARRAY_TEXTURE_LAYERS);
+  GLint viewport[2] = {};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+  info.maxViewport = std::min(viewport[0], viewport[1]);
+  info.maxBufferTexels = static_cast<std::size_t>(glInt(GL_MAX_TEXTURE_BUFFER_SIZE));
   GLint64 storage = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
   info.maxStorageBytes = static_cast<std::size_t>(storage);

@@ -5,7 +5,6 @@
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
-#include "renderer/shaders/shared/records.h"
 
 namespace pileus::residency {
 namespace {
@@ -25,6 +24,13 @@ std::size_t payloads(const volume::BrickGrid& grid, int finest) {
   std::size_t n = 0;
   for (std::size_t l = std::size_t(finest); l < grid.levels.size(); ++l)
     for (const volume::Brick& b : grid.levels[l].table) n += b.payload != kConstantBrick;
+  return n;
+}
+
+/// Entries of the page table, whatever is resident.
+std::size_t pages(const volume::BrickGrid& grid) {
+  std::size_t n = 0;
+  for (const volume::Level& level : grid.levels) n += level.table.size();
   return n;
 }
 
@@ -92,6 +98,15 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
   Residency out;
   out.budgetBytes = maxSlots_ * kStoredVoxels;
 
+  std::size_t wantedPages = 0;
+  for (const volume::BrickGrid* grid : wanted) wantedPages += pages(*grid);
+  if (wantedPages > device_.maxBufferTexels)
+    return fail(
+        Code::Gpu,
+        "{} grids span {} bricks of 16^3 voxels, empty ones and mips included; the buffer textures of "
+        "this OpenGL driver hold {}: use smaller or coarser grids, or fewer",
+        wanted.size(), wantedPages, device_.maxBufferTexels);
+
   // Which level each grid starts at, so that all fit: coarsen whichever needs most.
   std::vector<int> finest(wanted.size(), 0);
   std::vector<std::size_t> need(wanted.size());
@@ -129,7 +144,9 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
   std::size_t missing = 0;
   for (const auto& [key, e] : entries_)
     if (e.lastUse == clock_) missing += e.order.size() - e.nextPayload;
-  while (missing > 0 && !reserveSlots(missing)) {
+  std::size_t allPages = 0;
+  for (const auto& [key, e] : entries_) allPages += pages(*e.grid);
+  while (allPages > device_.maxBufferTexels || (missing > 0 && !reserveSlots(missing))) {
     auto oldest = entries_.end();
     for (auto it = entries_.begin(); it != entries_.end(); ++it)
       if (it->second.lastUse < clock_ &&
@@ -137,6 +154,7 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
         oldest = it;
     if (oldest == entries_.end())
       return fail(Code::Gpu, "the brick pool is full ({} MiB)", out.budgetBytes >> 20);
+    allPages -= pages(*oldest->second.grid);
     release(oldest->second);
     entries_.erase(oldest);
     changed = true;
@@ -167,11 +185,10 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
 void BrickPool::rebuildTables() {
   ++generation_;
   std::vector<uvec4> pages;
-  std::vector<gpu::LevelRecord> levels;
   for (auto& [key, e] : entries_) {
-    e.place = {int(levels.size()), int(e.grid->levels.size()), e.wantedFinest};
+    e.place = {{}, e.wantedFinest};
     for (const volume::Level& level : e.grid->levels) {
-      levels.push_back({ivec4(level.bricks, int(pages.size()))});
+      e.place.levels.push_back({ivec4(level.bricks, int(pages.size()))});
       for (const volume::Brick& b : level.table) {
         const bool stored = b.payload != kConstantBrick && e.slotOfPayload[b.payload] != kConstantBrick;
         // A brick that is not resident shows its mean value: only seen below `finest`, where sampling never
@@ -185,7 +202,6 @@ void BrickPool::rebuildTables() {
     }
   }
   pages_.assign(std::span<const uvec4>(pages));
-  levels_.assign(std::span<const gpu::LevelRecord>(levels));
 }
 
 const ResidentGrid* BrickPool::find(const volume::BrickGrid& grid) const {
@@ -196,7 +212,6 @@ const ResidentGrid* BrickPool::find(const volume::BrickGrid& grid) const {
 void BrickPool::bind() const {
   glBindTextureUnit(UNIT_ATLAS, atlas_.id());
   pages_.bindTexels(UNIT_PAGES, GL_RGBA32UI);
-  levels_.bindTexels(UNIT_LEVELS, GL_RGBA32I);
 }
 
 }  // namespace pileus::residency

@@ -9,14 +9,14 @@
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/texture.h"
+#include "renderer/shaders/shared/records.h"
 #include "renderer/volume/brick_grid.h"
 
 namespace pileus::residency {
 
 /// Where a resident grid's levels are.
 struct ResidentGrid {
-  int firstLevel = 0;  ///< index of its level 0 in the level buffer
-  int levels = 0;
+  std::vector<gpu::LevelRecord> levels;
   int finest = 0;  ///< finest level with voxels on the GPU; sampling clamps to it
 };
 
@@ -35,7 +35,7 @@ class BrickPool {
   Result<Residency> ensure(std::span<const volume::GridPtr> grids, double ms);
   /// Only after ensure() said 1 for it.
   const ResidentGrid* find(const volume::BrickGrid& grid) const;
-  /// Binds atlas, pages and levels to their binding points.
+  /// Binds atlas and pages to their binding points.
   void bind() const;
   ivec3 atlasSize() const { return atlas_.size(); }  ///< texels
   std::size_t bytes() const { return atlas_.bytes(); }
@@ -67,7 +67,7 @@ class BrickPool {
   gl::Texture atlas_;
   std::vector<std::uint32_t> free_;  ///< slots free below the atlas's current size, highest first
   std::unordered_map<Key, Entry> entries_;
-  gl::Buffer pages_{"brick pages"}, levels_{"brick levels"};
+  gl::Buffer pages_{"brick pages"};
   std::uint64_t clock_ = 0, generation_ = 0;
 };
 

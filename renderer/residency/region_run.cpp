@@ -5,10 +5,11 @@
 
 namespace pileus::residency {
 
-void RegionRun::bind(const BrickPool& bricks, gl::Program& program) const {
+Result<void> RegionRun::bind(const BrickPool& bricks, gl::Program& program) {
   program.use();
-  set_.bind(bricks, program);
+  set_.bind(bricks, table_, program);
   tiles_.bind(program);
+  return table_.bind(program);
 }
 
 bool RegionRun::dispatch(gl::Program& program, ivec2 from, ivec2 to, MarchBudget* budget) {

@@ -21,10 +21,12 @@ class RegionRun {
   }
   /// Lists for a picture or map of that size, as TileLists::build() has them.
   void list(ivec2 size, std::span<const PixelBounds> bounds, int items = 0) {
-    tiles_.build(size, bounds, items);
+    tiles_.build(table_, size, bounds, items);
   }
-  /// Makes the program current, with volumes and lists at their binding points.
-  void bind(const BrickPool& bricks, gl::Program& program) const;
+  /// Makes the program current, with volumes, lists and all else of the table at their binding points.
+  Result<void> bind(const BrickPool& bricks, gl::Program& program);
+  /// Where shadow items and solids belong, before bind().
+  SceneTable& table() { return table_; }
   /// One dispatch in groups of 8 x 8 over pixels [from, to): uniforms regionOrigin and regionEnd, and those
   /// of the budget. Timed and waited for; whatever reads what it wrote may come behind it. False: marches
   /// paused, and the same region has to be dispatched again.
@@ -45,6 +47,7 @@ class RegionRun {
   double takeGpuMs();
 
  private:
+  SceneTable table_;
   VolumeSet set_;
   TileLists tiles_;
   gl::GpuTimer timer_;

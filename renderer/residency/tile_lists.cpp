@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "renderer/shaders/shared/bindings.h"
-
 namespace pileus::residency {
 
-void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds, int modulo) {
+void TileLists::build(SceneTable& table, ivec2 size, std::span<const PixelBounds> bounds, int modulo) {
   grid_ = glm::max((size + kTile - 1) / kTile, ivec2(1));
   const auto each = [&](const PixelBounds& b, auto&& visit) {
     const ivec2 lo = glm::max(b.min, ivec2(0)), hi = glm::min(b.max, size);
@@ -23,14 +21,8 @@ void TileLists::build(ivec2 size, std::span<const PixelBounds> bounds, int modul
   for (std::size_t i = 0; i < bounds.size(); ++i)
     each(bounds[i],
          [&](std::size_t tile) { items[std::size_t(at[tile]++)] = modulo > 0 ? int(i) % modulo : int(i); });
-  offsets_.assign(std::span<const int>(offsets));
-  items_.assign(std::span<const int>(items));
-}
-
-void TileLists::bind(gl::Program& program) const {
-  offsets_.bindTexels(UNIT_TILE_OFFSETS, GL_R32I);
-  items_.bindTexels(UNIT_TILE_ITEMS, GL_R32I);
-  program.set("tileGrid", grid_);
+  table.set(SceneTable::Section::TileOffsets, std::span<const int>(offsets));
+  table.set(SceneTable::Section::TileItems, std::span<const int>(items));
 }
 
 }  // namespace pileus::residency

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/records.h"
 
 namespace pileus::residency {
@@ -14,24 +13,29 @@ namespace {
 static_assert(sizeof(gpu::VolumeRecord) == VOLUME_ROWS * sizeof(vec4));
 static_assert(REMAP_ENTRIES == volume::kRemapEntries);
 
-/// The buffer's texels: records, then each table once.
+/// The section's texels: records, then each table and the levels of each grid once.
 class Texels {
  public:
   explicit Texels(std::size_t records) : texels_(records * VOLUME_ROWS) {}
   void put(std::size_t index, const gpu::VolumeRecord& record) {
     std::memcpy(texels_.data() + index * VOLUME_ROWS, &record, sizeof record);
   }
-  /// Its first texel.
-  std::size_t add(const volume::DensityRemap& remap) {
-    const auto [it, isNew] = tables_.emplace(remap.content, texels_.size());
-    if (isNew) texels_.insert(texels_.end(), remap.entries.begin(), remap.entries.end());
+  /// The first texel of what is there once by that key.
+  template <class T>
+  std::size_t add(const Key& content, std::span<const T> rows) {
+    static_assert(sizeof(T) == sizeof(vec4));
+    const auto [it, isNew] = firsts_.emplace(content, texels_.size());
+    if (isNew) {
+      texels_.resize(texels_.size() + rows.size());
+      if (!rows.empty()) std::memcpy(&texels_[it->second], rows.data(), rows.size_bytes());
+    }
     return it->second;
   }
-  std::span<const vec4> all() const { return texels_; }
+  std::vector<vec4> all() { return std::move(texels_); }
 
  private:
   std::vector<vec4> texels_;
-  std::map<Key, std::size_t> tables_;
+  std::map<Key, std::size_t> firsts_;
 };
 
 /// The table that its voxels go through: of what emits, that of the emission.
@@ -44,13 +48,14 @@ vec4 remapRow(const volume::Instance& i, Texels& texels) {
   if (!table) return vec4(-1, 0, 0, 0);
   const double perDensity = (REMAP_ENTRIES - 1) / (table->highest - table->lowest);
   const double most = std::numeric_limits<float>::max();
-  return vec4(float(texels.add(*table)), float(perDensity), float(-table->lowest * perDensity),
-              float(std::clamp(table->emptyUpTo, -most, most)));
+  return vec4(float(texels.add(table->content, std::span<const vec4>(table->entries))), float(perDensity),
+              float(-table->lowest * perDensity), float(std::clamp(table->emptyUpTo, -most, most)));
 }
 
 constexpr double kFar = 1e30;  ///< metres: no end
 
-gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const dvec3& origin) {
+gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const dvec3& origin,
+                         Texels& texels) {
   gpu::VolumeRecord r{};
   dmat4 worldFromLocal = i.worldFromLocal;
   Box3 bounds = volume::localBounds(i);
@@ -60,7 +65,9 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const
     worldFromLocal = glm::translate(worldFromLocal, first);
     bounds = {bounds.min - first, bounds.max - first};
     if (const ResidentGrid* place = pool.find(*i.grid))
-      r.shape = ivec4(SHAPE_GRID, place->firstLevel, place->levels, place->finest);
+      r.shape =
+          ivec4(SHAPE_GRID, texels.add(i.grid->content, std::span<const gpu::LevelRecord>(place->levels)),
+                place->levels.size(), place->finest);
   } else {
     r.shape = ivec4(i.shape == volume::Shape::Box ? SHAPE_BOX : SHAPE_BALL, 0, 0, 0);
   }
@@ -125,18 +132,18 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
   if (residency.fraction >= 1 && generation_ != pool.generation()) {
     Texels texels(instances_.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-      gpu::VolumeRecord r = record(instances_[i], pool, origin_);
+      gpu::VolumeRecord r = record(instances_[i], pool, origin_, texels);
       r.remap = remapRow(instances_[i], texels);
       texels.put(i, r);
     }
-    records_.assign(texels.all());
+    texels_ = texels.all();
     generation_ = pool.generation();
   }
   return residency;
 }
 
-void VolumeSet::bind(const BrickPool& pool, gl::Program& program) const {
-  records_.bindTexels(UNIT_VOLUMES, GL_RGBA32F);
+void VolumeSet::bind(const BrickPool& pool, SceneTable& table, gl::Program& program) const {
+  table.set(SceneTable::Section::Volumes, std::span(texels_));
   pool.bind();
   program.set("atlasTexel", 1.0f / vec3(pool.atlasSize()));
 }

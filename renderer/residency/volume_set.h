@@ -1,8 +1,8 @@
 #pragma once
 // The volume records of one pass.
-#include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/brick_pool.h"
+#include "renderer/residency/scene_table.h"
 #include "renderer/volume/instance.h"
 
 namespace pileus::residency {
@@ -16,13 +16,14 @@ volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances
 
 class VolumeSet {
  public:
-  /// Makes the grids resident within `ms`; once fraction is 1 the records are uploaded in the order given and
-  /// bind() may be called. Shaders count positions from `origin` (world, metres): far from the world's own
-  /// they have float precision only next to theirs.
+  /// Makes the grids resident within `ms`; once fraction is 1 there are records in the order given and bind()
+  /// may be called. Shaders count positions from `origin` (world, metres): far from the world's own they have
+  /// float precision only next to theirs.
   Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms,
                             const dvec3& origin = dvec3(0));
-  /// Records and bricks to their binding points; atlas uniforms into the program.
-  void bind(const BrickPool& pool, gl::Program& program) const;
+  /// Records into the table (bound by the caller), bricks to their binding points; atlas uniforms into the
+  /// program.
+  void bind(const BrickPool& pool, SceneTable& table, gl::Program& program) const;
   const volume::InstanceList& instances() const { return instances_; }
   /// Variant constant SHAPES of lib/volume.glsl.
   int shapes() const { return shapes_; }
@@ -33,7 +34,7 @@ class VolumeSet {
   dvec3 origin_{0};
   int shapes_ = 0;
   std::uint64_t generation_ = ~std::uint64_t(0);
-  gl::Buffer records_{"volume records"};
+  std::vector<vec4> texels_;  ///< of the table
 };
 
 }  // namespace pileus::residency

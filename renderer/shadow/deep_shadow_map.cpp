@@ -41,7 +41,7 @@ Result<void> DeepShadowPass::run(const Gpu& gpu, bool fill) {
   glBindImageTexture(IMAGE_TARGET + 1, counts_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32UI);
   for (int doublings = 0; doublings <= kMostDoublings; ++doublings) {
     program->set("doublings", doublings);
-    march_->run(gpu, pass_, *program);
+    PILEUS_CHECK(march_->run(gpu, pass_, *program));
     if (fill || !overBudget()) break;
   }
   return {};

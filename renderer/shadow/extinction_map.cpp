@@ -128,7 +128,7 @@ Result<void> ExtinctionPass::gather(const Gpu& gpu) {
                        map_->horizon->format());
   for (int i = 0; i < batches; ++i) {
     if (volumes > 0) program->set("batch", ivec2(i, volumes));
-    pass_.dispatch(gpu, *program);
+    PILEUS_CHECK(pass_.dispatch(gpu, *program));
   }
   return {};
 }
@@ -150,7 +150,7 @@ Result<void> ExtinctionPass::splat(const Gpu& gpu) {
     if (b.min.x >= b.max.x || b.min.y >= b.max.y) continue;
     const ivec2 origin = ivec2(block.place) + b.min - ivec2(0, face * pass_.faceStride());
     glScissor(origin.x, origin.y, b.max.x - b.min.x, b.max.y - b.min.y);
-    pass_.bind(gpu, *program);
+    PILEUS_CHECK(pass_.bind(gpu, *program));
     program->set("item", splatted_);
     program->set("face", face);
     program->set("blockOrigin", ivec2(block.place));
@@ -167,8 +167,7 @@ Result<void> ExtinctionPass::mark(const Gpu& gpu) {
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_READ_WRITE,
                      map_->block->format());
-  pass_.dispatch(gpu, *program);
-  return {};
+  return pass_.dispatch(gpu, *program);
 }
 
 }  // namespace pileus::shadow

@@ -99,8 +99,8 @@ void MapPass::bindLight(const ShadowMap& map) {
   record_.bindUniform(BIND_LIGHTS);
 }
 
-void MapPass::bind(const Gpu& gpu, gl::Program& program) {
-  run_.bind(gpu.bricks, program);
+Result<void> MapPass::bind(const Gpu& gpu, gl::Program& program) {
+  PILEUS_CHECK(run_.bind(gpu.bricks, program));
   gpu.store.bind();
   program.set("regionOrigin", run_.cursor.origin());
   program.set("regionEnd", run_.cursor.end());
@@ -109,11 +109,13 @@ void MapPass::bind(const Gpu& gpu, gl::Program& program) {
   // A texel's width: constant for a sun, growing from the light otherwise.
   program.set("footprint", frustum_.perspective() ? 0.0f : float(frustum_.texelSize(resolution_)));
   program.set("footprintAngle", frustum_.perspective() ? float(2 * frustum_.tanHalf / resolution_) : 0.0f);
+  return {};
 }
 
-void MapPass::dispatch(const Gpu& gpu, gl::Program& program) {
-  bind(gpu, program);
+Result<void> MapPass::dispatch(const Gpu& gpu, gl::Program& program) {
+  PILEUS_CHECK(bind(gpu, program));
   run_.dispatch(program);
+  return {};
 }
 
 }  // namespace pileus::shadow

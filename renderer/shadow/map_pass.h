@@ -21,9 +21,9 @@ class MapPass {
   void bindLight(const ShadowMap& map);
   /// Binds volumes, tiles, store and the uniforms of lib/map_texel.glsl, and dispatches the region at the
   /// cursor in groups of 8 x 8.
-  void dispatch(const Gpu& gpu, gl::Program& program);
+  Result<void> dispatch(const Gpu& gpu, gl::Program& program);
   /// The same bindings without a dispatch, for passes that draw.
-  void bind(const Gpu& gpu, gl::Program& program);
+  Result<void> bind(const Gpu& gpu, gl::Program& program);
   bool done() const { return run_.cursor.done(); }
   void next() { ++run_.cursor.next; }
   void restart() { run_.cursor.next = 0; }

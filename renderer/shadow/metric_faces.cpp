@@ -22,7 +22,7 @@ Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPa
     const int first = record.place.w + face * layers;
     target.attach(sum ? sum.id() : block.texture(), sum ? 0 : first, layers,
                   sum ? ivec2(0) : ivec2(record.place), edge, true);
-    pass.bind(gpu, *program);
+    PILEUS_CHECK(pass.bind(gpu, *program));
     program->set("face", face);
     pass.timer().begin();
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, GLsizei(pass.volumes().size()));

@@ -34,13 +34,14 @@ OrderedMarch::OrderedMarch(const Gpu& gpu, const MapPass& pass, int halves, int 
 
 gl::Defines OrderedMarch::defines() const { return defines_; }
 
-void OrderedMarch::run(const Gpu& gpu, MapPass& pass, gl::Program& program) {
+Result<void> OrderedMarch::run(const Gpu& gpu, MapPass& pass, gl::Program& program) {
   if (windows_ == 1) return pass.dispatch(gpu, program);
   states_.bindStorage(BIND_MARCH_STATES);
   for (int w = 0; w < windows_; ++w) {
     program.set("window", ivec2(w, windows_));
-    pass.dispatch(gpu, program);
+    PILEUS_CHECK(pass.dispatch(gpu, program));
   }
+  return {};
 }
 
 }  // namespace pileus::shadow

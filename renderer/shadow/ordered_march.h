@@ -14,7 +14,7 @@ class OrderedMarch {
   /// Variant constants of lib/ordered_march.glsl.
   gl::Defines defines() const;
   /// All windows of the region at the pass's cursor.
-  void run(const Gpu& gpu, MapPass& pass, gl::Program& program);
+  Result<void> run(const Gpu& gpu, MapPass& pass, gl::Program& program);
   int windows() const { return windows_; }
 
  private:

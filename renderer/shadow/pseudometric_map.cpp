@@ -81,8 +81,7 @@ Result<void> PseudometricPass::dispatchIntervals(const Gpu& gpu) {
                        map_->weights->format());
   program->use();
   program->set("horizon", float(o.horizon));
-  pass_.dispatch(gpu, *program);
-  return {};
+  return pass_.dispatch(gpu, *program);
 }
 
 }  // namespace pileus::shadow

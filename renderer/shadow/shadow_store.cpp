@@ -216,7 +216,12 @@ Result<std::shared_ptr<const DeepBlock>> ShadowStore::allocateDeep(std::size_t e
     std::size_t others = 0;
     for (const Array& a : state_->arrays) others += a.texture.bytes();
     const std::size_t wanted = std::max(end, std::min(2 * arena.capacity, std::size_t(limit)));
-    if (end > std::size_t(limit) || others + end * kDeepElement > state_->budget)
+    if (end > std::size_t(limit))
+      return fail(Code::Gpu,
+                  "deep shadow maps would hold {} vertices and texels, the buffer textures of this OpenGL "
+                  "driver {}: raise the error bound or lower the resolution",
+                  end, limit);
+    if (others + end * kDeepElement > state_->budget)
       return fail(Code::Gpu,
                   "a deep shadow map needs {} MiB more; {} MiB are set aside for shadow maps: raise its "
                   "error bound or lower its resolution",

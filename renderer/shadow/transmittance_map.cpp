@@ -35,7 +35,7 @@ Result<double> TransmittancePass::step(const Gpu& gpu, double ms) {
   glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
                      map_->block->format());
   do {
-    march_->run(gpu, pass_, *program);
+    PILEUS_CHECK(march_->run(gpu, pass_, *program));
     pass_.next();
   } while (!pass_.done() && clock.ms() < ms);
   return 0.3 + 0.7 * pass_.fraction();

@@ -74,9 +74,9 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
 
 Result<void> ShadowErrorPass::draw(const shadow::Gpu& gpu, view::LightSet& lights,
                                    residency::MarchBudget& budget, ivec2 from, ivec2 to) {
+  lights.bind(gpu.store, march_.run.table(), options_.camera.eye);
   PILEUS_TRY(gl::Program * program,
              march_.bind(gpu, "truth/shadow_error.comp.glsl", options_, lights, budget));
-  lights.bind(gpu.store, options_.camera.eye);
   program->set("pairCount", static_cast<int>(lights.lights().size() / 2));
   bins_.bindStorage(BIND_ERROR_BINS);
   glBindImageTexture(IMAGE_ERROR, errors_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);

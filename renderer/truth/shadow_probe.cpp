@@ -33,12 +33,14 @@ class Lookups {
     return l;
   }
 
-  void bind(const shadow::Gpu& gpu) {
+  Result<void> bind(const shadow::Gpu& gpu) {
     program_->use();
-    volumes_.bind(gpu.bricks, *program_);
-    lights_.bind(gpu.store, origin_);
+    volumes_.bind(gpu.bricks, table_, *program_);
+    lights_.bind(gpu.store, table_, origin_);
+    PILEUS_CHECK(table_.bind(*program_));
     in_.bindStorage(BIND_TEST_IN);
     out_.bindStorage(BIND_TEST_OUT);
+    return {};
   }
   /// Waits.
   void dispatch(int first, int end, int repeats = 1) {
@@ -96,6 +98,7 @@ class Lookups {
   }
   view::LightSet lights_;
   dvec3 origin_;
+  residency::SceneTable table_;
   residency::VolumeSet volumes_;
   gl::Program* program_ = nullptr;
   gl::Buffer in_{"lookup positions"}, out_{"lookup results"};
@@ -108,7 +111,7 @@ class Lookups {
 Result<std::vector<float>> lookupTransmittance(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
                                                std::span<const vec4> positions, const dvec3& origin) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, positions, origin));
-  lookups.bind(gpu);
+  PILEUS_CHECK(lookups.bind(gpu));
   return lookups.all();
 }
 
@@ -132,7 +135,7 @@ ShadowError shadowError(std::span<const float> mapped, std::span<const double> t
 Result<ProbeResult> probe(const shadow::Gpu& gpu, const shadow::ShadowMap& map, const ShadowSamples& samples,
                           int dispatches) {
   PILEUS_TRY(Lookups lookups, Lookups::create(gpu, map, samples.positions, samples.origin));
-  lookups.bind(gpu);
+  PILEUS_CHECK(lookups.bind(gpu));
   ProbeResult r;
   r.error = shadowError(lookups.all(), samples.transmittance);
   if (dispatches > 0) r.nsPerLookup = lookups.nanoseconds(dispatches, gpu.device.software);

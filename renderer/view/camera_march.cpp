@@ -72,15 +72,14 @@ void CameraMarch::plan(residency::MarchBudget& budget, const RenderOptions& opti
 
 Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry,
                                        const RenderOptions& options, const LightSet& lights,
-                                       const residency::MarchBudget& budget,
-                                       const gl::Defines& defines) const {
+                                       const residency::MarchBudget& budget, const gl::Defines& defines) {
   gl::Defines all = lights.defines();
   for (const gl::Defines& more : {run.defines(), defines}) all.insert(all.end(), more.begin(), more.end());
   all.insert(
       all.end(),
       {{"SOLIDS", lights.drawnSolids() > 0}, {"RESUME", budget.resumes()}, {"REACHED", budget.reached()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({entry}, all));
-  run.bind(gpu.bricks, *program);
+  PILEUS_CHECK(run.bind(gpu.bricks, *program));
   setCamera(*program, options);
   program->set("solidCount", int(lights.drawnSolids()));
   return program;

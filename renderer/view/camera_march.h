@@ -23,10 +23,11 @@ class CameraMarch {
   void plan(residency::MarchBudget& budget, const RenderOptions& options, const LightSet& lights,
             const gl::DeviceInfo& device, int lane, int reached = 1) const;
   /// The variant of an entry for what is listed and these lights, with `defines` of its own; current, with
-  /// volumes, lists, camera and solids bound. The lights are the caller's to bind, relative to the eye.
+  /// volumes, lists, camera and solids bound. The lights are the caller's to bind, relative to the eye and
+  /// before: what they have in the run's table is bound with it.
   Result<gl::Program*> bind(const shadow::Gpu& gpu, const char* entry, const RenderOptions& options,
                             const LightSet& lights, const residency::MarchBudget& budget,
-                            const gl::Defines& defines = {}) const;
+                            const gl::Defines& defines = {});
 
   residency::RegionRun run;
 

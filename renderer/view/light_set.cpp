@@ -71,7 +71,7 @@ gl::Defines LightSet::defines() const {
   return out;
 }
 
-void LightSet::bind(const shadow::ShadowStore& store, const dvec3& origin) {
+void LightSet::bind(const shadow::ShadowStore& store, residency::SceneTable& table, const dvec3& origin) {
   std::vector<gpu::LightRecord>& records = made_;
   records.clear();
   for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -84,17 +84,15 @@ void LightSet::bind(const shadow::ShadowStore& store, const dvec3& origin) {
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
   records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
   records_.assign(std::span<const gpu::LightRecord>(records));
-  if (uploaded_ != origin) {
+  if (madeFor_ != origin) {
     madeSolids_.clear();
     for (const scene::Solid& s : solids_) madeSolids_.push_back(makeRecord(s, origin));
-    items_.assign(std::span<const int>(marchItems_));
-    solidRecords_.assign(std::span<const gpu::SolidRecord>(madeSolids_));
-    uploaded_ = origin;
+    madeFor_ = origin;
   }
+  table.set(residency::SceneTable::Section::ShadowItems, std::span<const int>(marchItems_));
+  table.set(residency::SceneTable::Section::Solids, std::span<const gpu::SolidRecord>(madeSolids_));
   store.bind();
   records_.bindUniform(BIND_LIGHTS);
-  items_.bindTexels(UNIT_SHADOW_ITEMS, GL_R32I);
-  solidRecords_.bindTexels(UNIT_SOLIDS, GL_RGBA32F);
 }
 
 }  // namespace pileus::view

@@ -28,9 +28,10 @@ class LightSet {
   Result<void> check() const;
   /// Variant constants of lib/light_transmittance.glsl, those of the map lookup included.
   gl::Defines defines() const;
-  /// Records (made anew: maps may have moved), lists and the maps themselves to their binding points. At
-  /// least one light is bound, a black one if need be. Places are relative to `origin`, as the volumes'.
-  void bind(const shadow::ShadowStore& store, const dvec3& origin = dvec3(0));
+  /// Records (made anew: maps may have moved) and the maps themselves to their binding points, lists into the
+  /// table, which is the caller's to bind. At least one light is bound, a black one if need be. Places are
+  /// relative to `origin`, as the volumes'.
+  void bind(const shadow::ShadowStore& store, residency::SceneTable& table, const dvec3& origin = dvec3(0));
 
  private:
   std::vector<shadow::ShadowedLight> lights_;
@@ -41,8 +42,8 @@ class LightSet {
   std::vector<ivec2> marched_, blockers_;  ///< per light: first and count in marchItems_ and in solids_
   std::vector<gpu::LightRecord> made_;     ///< by the last bind(); kept for its storage
   std::vector<gpu::SolidRecord> madeSolids_;
-  std::optional<dvec3> uploaded_;  ///< relative to what
-  gl::Buffer records_{"light records"}, items_{"shadow items"}, solidRecords_{"solid records"};
+  std::optional<dvec3> madeFor_;  ///< the origin of those
+  gl::Buffer records_{"light records"};
 };
 
 }  // namespace pileus::view

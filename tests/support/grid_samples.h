@@ -20,7 +20,9 @@ inline std::vector<float> sampledOnGpu(const volume::Instance& instance, const s
   in.assign(std::span<const vec4>(positions));
   out.reserve(positions.size() * sizeof(float));
   (*program)->use();
-  set.bind(r.bricks(), **program);
+  residency::SceneTable table;
+  set.bind(r.bricks(), table, **program);
+  EXPECT_TRUE(table.bind(**program));
   in.bindStorage(BIND_TEST_IN);
   out.bindStorage(BIND_TEST_OUT);
   (*program)->set("count", int(positions.size()));

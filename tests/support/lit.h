@@ -44,8 +44,10 @@ inline std::vector<Lit> lit(const shadow::ShadowedLight& light, const std::vecto
   input.assign(std::span<const vec4>(in));
   output.reserve(out.size() * sizeof(vec4));
   (*program)->use();
-  lights.bind(gpu.store);
-  volumes.bind(gpu.bricks, **program);
+  residency::SceneTable table;
+  lights.bind(gpu.store, table);
+  volumes.bind(gpu.bricks, table, **program);
+  EXPECT_TRUE(table.bind(**program));
   input.bindStorage(BIND_TEST_IN);
   output.bindStorage(BIND_TEST_OUT);
   (*program)->set("count", int(points.size()));

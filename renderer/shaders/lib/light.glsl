@@ -87,10 +87,10 @@ vec3 mapCoordinates(int l, vec3 p, float edge, out int face) {
   return vec3(depth > 0.0 ? uv : vec2(-1.0), x);
 }
 
-// The light ray of map coordinates: from x = 0 to 1 is o + t d, t in [0, length] metres.
+// The light ray of map coordinates: from x = 0 to 1 is o + t d, t in [0, tMax] metres.
 struct MapRay {
   vec3 o, d;
-  float length;
+  float tMax;
 };
 
 MapRay mapRay(int l, int face, vec2 uv, float edge) {
@@ -99,8 +99,8 @@ MapRay mapRay(int l, int face, vec2 uv, float edge) {
   if (kind == LIGHT_SUN) {
     r.o = (lights[l].worldFromLight * vec4(uv, 0.0, 1.0)).xyz;
     vec3 end = (lights[l].worldFromLight * vec4(uv, 1.0, 1.0)).xyz;
-    r.length = length(end - r.o);
-    r.d = (end - r.o) / r.length;
+    r.tMax = length(end - r.o);
+    r.d = (end - r.o) / r.tMax;
     return r;
   }
   vec2 across = (2.0 * uv - 1.0) / faceScale(kind, edge) * lights[l].extent.w;
@@ -112,6 +112,6 @@ MapRay mapRay(int l, int face, vec2 uv, float edge) {
                               : vec3(across, s);
   r.d = normalize((lights[l].worldFromLight * vec4(q, 0.0)).xyz);
   r.o = lights[l].position.xyz + lights[l].extent.z * r.d;
-  r.length = lights[l].extent.x;
+  r.tMax = lights[l].extent.x;
   return r;
 }

@@ -12,7 +12,8 @@
 #define LOCAL_LIGHTS 1
 #endif
 
-layout(binding = UNIT_SHADOW_ITEMS) uniform isamplerBuffer shadowItems;  // volumes to march through
+// Of the volumes that shadows march through.
+int shadowItem(int i) { return sceneNumber(4 * sceneSections.z + i); }
 
 // Towards the light, and E without shadow.
 Incidence unshadowed(int l, vec3 p) {
@@ -31,7 +32,7 @@ float marchedTransmittance(int l, vec3 p, vec3 towards, float distance) {
   for (; k < count && tau < kDarkness; ++k) {
     spend(1);
     if (pausesAtItem()) break;
-    int v = texelFetch(shadowItems, lights[l].items.y + k).x;
+    int v = shadowItem(lights[l].items.y + k);
     tau += opticalDepth(v, p, towards, lights[l].extent.y, distance);
   }
   itemsDone(k, tau);

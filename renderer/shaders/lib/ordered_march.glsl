@@ -31,8 +31,8 @@ vec2 windowOf(float rayLength) { return vec2(0.0, 1e30); }
 const float kOrderedDepth = 0.08;
 
 Stretch beginMarch(MapRay ray, ivec2 range) {
-  vec2 window_ = windowOf(ray.length);
-  return beginStretches(ray.o, ray.d, vec2(window_.x, 0.0), min(window_.y, ray.length), range, 0.5,
+  vec2 window_ = windowOf(ray.tMax);
+  return beginStretches(ray.o, ray.d, vec2(window_.x, 0.0), min(window_.y, ray.tMax), range, 0.5,
                         kOrderedDepth);
 }
 

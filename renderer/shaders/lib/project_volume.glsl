@@ -26,16 +26,16 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
   float size = footprintAt(0.0);
 #if PERSPECTIVE
   size =
-      footprintAt(0.5 * dot(vec2(1.0), clamp(extentOfVolume(v, ray.o, ray.d), vec2(0.0), vec2(ray.length))));
+      footprintAt(0.5 * dot(vec2(1.0), clamp(extentOfVolume(v, ray.o, ray.d), vec2(0.0), vec2(ray.tMax))));
 #endif
   vec2 hit = enterVolume(v, ray.o, ray.d, levelFor(v, size), r);
   // Metres count from the line's anchor.
-  float t0 = max(hit.x, -r.anchor), t1 = min(hit.y, ray.length - r.anchor), end = intervalsEnd(m);
+  float t0 = max(hit.x, -r.anchor), t1 = min(hit.y, ray.tMax - r.anchor), end = intervalsEnd(m);
 #if METRIC == METRIC_INTERVAL
   // Nothing lies outside the intervals (those of a half map are widened outwards), but behind a horizon.
-  t0 = max(t0, m[0] * ray.length - r.anchor);
+  t0 = max(t0, m[0] * ray.tMax - r.anchor);
 #if !HORIZON
-  t1 = min(t1, end * ray.length - r.anchor);
+  t1 = min(t1, end * ray.tMax - r.anchor);
 #endif
 #endif
   if (t0 >= t1) return;
@@ -59,8 +59,8 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
       more = first < 0 || (next == i && i + 1 - first < chunk);
       i = max(next, i + 1);
     } while (more && i < n);
-    float x0 = clamp((r.anchor + (t0 + float(max(first, 0)) * ds)) / ray.length, 0.0, 1.0),
-          x1 = clamp((r.anchor + (t0 + float(last) * ds)) / ray.length, 0.0, 1.0);
+    float x0 = clamp((r.anchor + (t0 + float(max(first, 0)) * ds)) / ray.tMax, 0.0, 1.0),
+          x1 = clamp((r.anchor + (t0 + float(last) * ds)) / ray.tMax, 0.0, 1.0);
     float depth = m0 * ds;
 #if HORIZON
     float front = clamp((end - x0) / max(x1 - x0, 1e-12), 0.0, 1.0);

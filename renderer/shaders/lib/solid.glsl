@@ -1,19 +1,18 @@
 // Opaque solids: where rays meet them and whether they stand between a point and a light. Twin:
 // scene/solid.h. Variant constant BLOCKERS: 0 where no light of the scene is blocked by any.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/records.h"
 #include "lib/intersect.glsl"
 #include "lib/light.glsl"
+#include "lib/scene_table.glsl"
 
 #ifndef BLOCKERS
 #define BLOCKERS 1
 #endif
 
-layout(binding = UNIT_SOLIDS) uniform samplerBuffer solidTexels;  // SolidRecord s at texel s * SOLID_ROWS
 const float kNoHit = 1e30;
 
-vec4 solidRow(int s, int row) { return texelFetch(solidTexels, s * SOLID_ROWS + row); }
+vec4 solidRow(int s, int row) { return sceneFloats(sceneSections.w + s * SOLID_ROWS + row); }
 vec3 solidAlbedo(int s) { return solidRow(s, 8).rgb; }
 
 // The first t > tMin at which o + t d meets solid s, else kNoHit; `normal` (unit, world, against the ray)

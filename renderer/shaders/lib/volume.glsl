@@ -7,19 +7,19 @@
 #include "shared/records.h"
 #include "lib/intersect.glsl"
 #include "lib/resume.glsl"
+#include "lib/scene_table.glsl"
 
 #ifndef SHAPES
 #define SHAPES (SHAPES_GRID | SHAPES_EXACT)
 #endif
 
-layout(binding = UNIT_VOLUMES) uniform samplerBuffer volumeTexels;  // VolumeRecord v at texel v * VOLUME_ROWS
-layout(binding = UNIT_LEVELS) uniform isamplerBuffer levelTexels;    // LevelRecord
 layout(binding = UNIT_PAGES) uniform usamplerBuffer pageTexels;
 layout(binding = UNIT_ATLAS) uniform sampler3D brickAtlas;
 uniform vec3 atlasTexel;  // 1 / size of the atlas
 const float kBrick = 16.0, kStored = 18.0;
 
-vec4 volumeRow(int v, int row) { return texelFetch(volumeTexels, v * VOLUME_ROWS + row); }
+// VolumeRecord v begins at texel v * VOLUME_ROWS of the table.
+vec4 volumeRow(int v, int row) { return sceneFloats(v * VOLUME_ROWS + row); }
 mat4 localFromWorld(int v) {
   return mat4(volumeRow(v, 0), volumeRow(v, 1), volumeRow(v, 2), volumeRow(v, 3));
 }
@@ -30,7 +30,8 @@ vec4 boundsMin(int v) { return volumeRow(v, 8); }
 vec4 boundsMax(int v) { return volumeRow(v, 9); }
 vec4 albedoOf(int v) { return volumeRow(v, 10); }
 float detailOf(int v) { return volumeRow(v, 11).x; }
-ivec4 shapeOf(int v) { return floatBitsToInt(volumeRow(v, 12)); }
+ivec4 shapeOf(int v) { return ivec4(sceneBits(v * VOLUME_ROWS + 12)); }
+ivec4 levelRecord(ivec4 shape, int level) { return ivec4(sceneBits(shape.y + level)); }
 
 // A line through one mip level of a volume, everything a sample needs in registers. Its places o + t d count
 // from `anchor` metres down the line, next to where it enters: t is small there, and a chord is as exact far
@@ -52,7 +53,7 @@ struct VolumeRay {
 vec4 remapped(vec4 remap, float density) {
   float place = clamp(density * remap.y + remap.z, 0.0, float(REMAP_ENTRIES - 1));
   int i = min(int(place), REMAP_ENTRIES - 2), texel = max(int(remap.x), 0) + i;
-  vec4 entry = mix(texelFetch(volumeTexels, texel), texelFetch(volumeTexels, texel + 1), place - float(i));
+  vec4 entry = mix(sceneFloats(texel), sceneFloats(texel + 1), place - float(i));
   return remap.x < 0.0 ? vec4(vec3(1.0), density) : entry;
 }
 #endif
@@ -70,7 +71,7 @@ float resolvable(int v, float footprint) {
 // The mip whose voxels match a footprint [m]. A hair more than a power of two is one, whatever the rounding.
 int levelFor(int v, float footprint) {
   ivec4 shape = shapeOf(v);
-  int octave = (floatBitsToInt(1.0001 * resolvable(v, footprint) / detailOf(v)) >> 23) - 127;
+  int octave = (floatBitsToInt(1.00001 * resolvable(v, footprint) / detailOf(v)) >> 23) - 127;
   int level = clamp(octave + shape.w, shape.w, max(shape.z - 1, shape.w));
   return shape.x == SHAPE_GRID ? level : 0;
 }
@@ -110,7 +111,7 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
 #endif
 #if SHAPES & SHAPES_GRID
   level = clamp(level, shape.w, max(shape.z - 1, 0));
-  ivec4 record = texelFetch(levelTexels, shape.y + level);
+  ivec4 record = levelRecord(shape, level);
   // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
   float s = exp2(-float(level));
   if (!r.analytic) {
@@ -161,7 +162,7 @@ float sampleBrick(uvec4 page, vec3 q, ivec3 b) {
 float sampleGrid(int v, vec3 p, int level) {
   ivec4 shape = shapeOf(v);
   level = clamp(level, shape.w, shape.z - 1);
-  ivec4 record = texelFetch(levelTexels, shape.y + level);
+  ivec4 record = levelRecord(shape, level);
   VolumeRay r;
   r.o = (p + 0.5) * exp2(-float(level)) - 0.5;
   r.bricks = record.xyz;

@@ -61,7 +61,7 @@ void compress(MapTexel mt) {
               float(mapEdge);
     MapRay ray = mapRay(0, mt.face, uv, float(mapEdge));
     march[r] = beginMarch(ray, range);
-    length_ = ray.length;
+    length_ = ray.tMax;
     T[r] = 1.0;
 #if WINDOWED
     if (!firstWindow()) T[r] = windowStates[stateSlot(kRays + 8) + 8 + r];

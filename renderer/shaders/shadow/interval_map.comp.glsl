@@ -92,7 +92,7 @@ void main() {
   MapRay ray = mapRay(0, mt.face, texelUv(mt), float(mapEdge));
   rayOrigin = ray.o;
   rayDirection = ray.d;
-  rayLength = ray.length;
+  rayLength = ray.tMax;
   ivec2 range = tileRange(mt.tall);
 
   // Sorted disjoint union, swept without storing more than INTERVALS + 1: dropping the smallest gap whenever

@@ -25,7 +25,7 @@ void main() {
   do {
     more = nextStep(march, T, a, b, depth);
     if (!more && !lastWindow()) break;
-    float from = more ? a / ray.length : 1.0, to = more ? min(b / ray.length, 1.0) : 1.0;
+    float from = more ? a / ray.tMax : 1.0, to = more ? min(b / ray.tMax, 1.0) : 1.0;
     // In pieces short against a basis period: sinc is a series.
     int pieces = int(ceil((from - done) * 2.0 * float(BASIS_FLOATS) - 1e-4));
     for (int piece = 0; piece < pieces; ++piece) {

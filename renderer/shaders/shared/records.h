@@ -15,7 +15,7 @@ namespace pileus::gpu {
 #define SHAPES_EXACT 2     // boxes and balls
 #define SHAPES_REMAPPED 4  // grids with a table
 
-// One placed volume, VOLUME_ROWS texels of a buffer texture. Local space is index coordinates relative to the
+// One placed volume, VOLUME_ROWS texels of the scene table. Local space is index coordinates relative to the
 // lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
 #define VOLUME_ROWS 14
 struct VolumeRecord {
@@ -25,16 +25,15 @@ struct VolumeRecord {
   vec4 boundsMax;  // local; w: uniform density of a box or ball
   vec4 albedo;  // rgb; w: anisotropy g. Of what emits: factor of the table's rgb, radiance gained per metre
   vec4 detail;  // x: smallest detail [m]
-  ivec4 shape;  // x: SHAPE_*, y: first LevelRecord, z: number of levels, w: first resident level
+  ivec4 shape;  // x: SHAPE_*, y: texel of its first LevelRecord, z: number of levels, w: first resident level
   vec4 remap;  // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d +
                // z; w: empty up to it
 };
 
-// Tables of remapped densities follow the volume records in the same buffer: rgb factor of the albedo, w
-// density.
+// Tables of remapped densities follow the volume records in the table: rgb factor of the albedo, w density.
 #define REMAP_ENTRIES 256
 
-// One mip level of a resident grid.
+// One mip level of a resident grid, a texel behind the volume records.
 struct LevelRecord {
   ivec4 bricks;  // xyz: lattice size in bricks, w: index of its first page
 };
@@ -106,7 +105,7 @@ struct LightRecord {
   ivec4 horizon;  // place of (tau in all, last exit) (STORE_PAIR), edge and faces as the coefficients'
 };
 
-// One opaque solid, SOLID_ROWS texels of a buffer texture.
+// One opaque solid, SOLID_ROWS texels of the scene table.
 #define SOLID_ROWS 9
 #define SOLID_PLANE 0
 #define SOLID_BOX 1

@@ -84,7 +84,9 @@ TEST(MarchNumbers, TheMipAtAPowerOfTwo) {
     auto program = r.shaders().program({"test/levels.comp.glsl"}, {{"SHAPES", set.shapes()}});
     ASSERT_TRUE(program) << program.error().message;
     (*program)->use();
-    set.bind(r.bricks(), **program);
+    residency::SceneTable scene;
+    set.bind(r.bricks(), scene, **program);
+    ASSERT_TRUE(scene.bind(**program));
     std::vector<float> footprints;
     std::vector<int> right;
     const float detail = float(volume::detailSize(i));

@@ -32,6 +32,7 @@ bool RegionRun::dispatch(gl::Program& program, ivec2 from, ivec2 to, MarchBudget
 
 gl::Defines RegionRun::defines() const {
   return {{"SHAPES", shapes()},
+          {"DENSE", set_.dense()},
           {"ACTIVE", std::clamp(longestList(), 1, kInRegisters)},
           {"OVERFLOW", longestList() > kInRegisters}};
 }

@@ -120,6 +120,10 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     content_ = content;
     origin_ = origin;
     shapes_ = 0;
+    dense_ = false;
+    constexpr double kDenseVoxel = 4;  // optical depth
+    for (const volume::Instance& i : instances_)
+      dense_ |= i.shape == volume::Shape::Grid && volume::majorant(i) * volume::detailSize(i) > kDenseVoxel;
     for (const volume::Instance& i : instances_)
       shapes_ |=
           (i.shape == volume::Shape::Grid ? SHAPES_GRID : SHAPES_EXACT) | (tableOf(i) ? SHAPES_REMAPPED : 0);

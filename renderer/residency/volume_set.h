@@ -27,12 +27,15 @@ class VolumeSet {
   const volume::InstanceList& instances() const { return instances_; }
   /// Variant constant SHAPES of lib/volume.glsl.
   int shapes() const { return shapes_; }
+  /// Variant constant DENSE of lib/stretch.glsl: has any grid voxels through which next to no light comes?
+  bool dense() const { return dense_; }
 
  private:
   volume::InstanceList instances_;
   Key content_;
   dvec3 origin_{0};
   int shapes_ = 0;
+  bool dense_ = false;
   std::uint64_t generation_ = ~std::uint64_t(0);
   std::vector<vec4> texels_;  ///< of the table
 };

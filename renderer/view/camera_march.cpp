@@ -45,10 +45,11 @@ std::span<const volume::Instance> drawn(const LightSet& lights) {
   return std::span(lights.volumes()).first(lights.drawnVolumes());
 }
 
-void setCamera(gl::Program& program, const RenderOptions& o) {
+void setCamera(gl::Program& program, const RenderOptions& o, const dvec3& origin) {
   const glm::dmat3 axes = scene::basis(o.camera);
   const double th = std::tan(glm::radians(o.camera.fov) / 2);
   program.set("size", o.size);
+  program.set("eye", vec3(o.camera.eye - origin));
   program.set("right", vec3(axes[0] * th * (static_cast<double>(o.size.x) / o.size.y)));
   program.set("up", vec3(axes[1] * th));
   program.set("back", vec3(axes[2]));
@@ -57,6 +58,15 @@ void setCamera(gl::Program& program, const RenderOptions& o) {
 }
 
 }  // namespace
+
+dvec3 CameraMarch::originOf(const RenderOptions& options, const LightSet& lights) {
+  Box3 media;
+  for (const volume::Instance& i : drawn(lights)) {
+    const Box3 box = volume::worldBounds(i);
+    if (!box.empty()) media.extend(box);
+  }
+  return media.empty() ? options.camera.eye : glm::clamp(options.camera.eye, media.min, media.max);
+}
 
 void CameraMarch::list(const RenderOptions& options, const LightSet& lights) {
   bounds_ = pixelBounds(drawn(lights), options);
@@ -80,7 +90,7 @@ Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry
       {{"SOLIDS", lights.drawnSolids() > 0}, {"RESUME", budget.resumes()}, {"REACHED", budget.reached()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({entry}, all));
   PILEUS_CHECK(run.bind(gpu.bricks, *program));
-  setCamera(*program, options);
+  setCamera(*program, options, originOf(options, lights));
   program->set("solidCount", int(lights.drawnSolids()));
   return program;
 }

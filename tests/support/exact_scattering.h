@@ -1,6 +1,6 @@
 #pragma once
-// Single scattering along one camera ray by quadrature in double precision on the CPU: nothing of the renderer
-// but volume::sigmaAt, scene::incidence and shadow::reference, which have tests of their own.
+// Single scattering along one camera ray by quadrature in double precision on the CPU: nothing of the
+// renderer but volume::sigmaAt, scene::incidence and shadow::reference, which have tests of their own.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -63,8 +63,8 @@ inline std::vector<double> quadraturePlaces(const volume::InstanceList& volumes,
     const dmat4 local = glm::inverse(v.worldFromLocal);
     const dvec3 o(local * dvec4(eye, 1)), ld(local * dvec4(d, 0));
     const Box3 bounds = volume::localBounds(v);
-    const auto hit = v.shape == volume::Shape::Ball ? intersectBall(o, ld)
-                                                    : intersectBox(o, ld, bounds.min, bounds.max);
+    const auto hit =
+        v.shape == volume::Shape::Ball ? intersectBall(o, ld) : intersectBox(o, ld, bounds.min, bounds.max);
     if (!hit || hit->y <= 0) continue;
     ends.push_back(std::max(hit->x, 0.0));
     ends.push_back(hit->y);

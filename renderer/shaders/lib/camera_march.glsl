@@ -1,5 +1,5 @@
 // Camera rays through the media of a scene, front to back and up to the nearest solid. Places are relative to
-// the eye. A shader that includes this says what it makes of them: passStep and addSample.
+// the pass's origin, which is the eye or the part of the media nearest to it. A shader that includes this says what it makes of them: passStep and addSample.
 // Variant constants: SOLIDS (1: there are some to draw), RESUME (1: a ray may take several dispatches,
 // lib/resume.glsl), SHAPES and those of lib/stretch.glsl.
 #pragma once
@@ -7,7 +7,7 @@
 #include "lib/solid.glsl"
 
 uniform ivec2 regionOrigin, regionEnd, size;
-uniform vec3 right, up, back;       // right and up are scaled to half the picture at distance 1
+uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
 uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
 uniform float stepScale;            // steps of so many details
 uniform int solidCount;             // drawn: the first ones
@@ -31,6 +31,8 @@ float T = 1.0;  // of the media in front of what is looked at
 void passStep(Stretch s, inout StretchSample x);
 // A stretch without any volume.
 void passGap();
+// Where a step has to end, metres into the stretch; kNoEdge: wherever it likes.
+float nextCut(Stretch s);
 // The next step with something in it (or, once there is none, one without): all but what it takes of T. False:
 // the same step is due once more.
 bool addSample(CameraRay ray, Stretch s, StretchSample x);
@@ -61,11 +63,11 @@ CameraRay cameraRay(ivec2 pixel, vec3 r) {
 }
 
 void findSolid(inout CameraRay ray) {
-  if (kSolids) ray.end = nearestSolid(solidCount, vec3(0.0), ray.d, ray.solid, ray.normal);
+  if (kSolids) ray.end = nearestSolid(solidCount, eye, ray.d, ray.solid, ray.normal);
 }
 
 bool meetsSolid(CameraRay ray) { return kSolids && ray.end < kNoHit && T >= kOpaque && !paused; }
-vec3 solidPoint(CameraRay ray) { return ray.end * ray.d; }
+vec3 solidPoint(CameraRay ray) { return eye + ray.end * ray.d; }
 // From where rays that leave it start.
 vec3 solidClear(CameraRay ray) {
   vec3 p = solidPoint(ray);
@@ -77,7 +79,7 @@ StretchSample nextSample(inout Stretch s) {
   vec2 before;
   do {
     before = vec2(s.at, s.wanted);
-    x = look(s);
+    x = look(s, nextCut(s));
     passStep(s, x);
     spendStep();
   } while (x.sigma <= 0.0 && hasSteps(s) && !mustPause());
@@ -103,7 +105,7 @@ void marchStretch(CameraRay ray, inout Stretch s) {
 }
 
 void marchMedia(CameraRay ray) {
-  Stretch s = beginStretches(vec3(0.0), ray.d, firstPlace(), ray.end, ray.range, ray.offset, kStepDepth);
+  Stretch s = beginStretches(eye, ray.d, firstPlace(), ray.end, ray.range, ray.offset, kStepDepth);
   bool inMedia = ray.range.x < ray.range.y && mediaAreDue();
   while (inMedia) {
     spendStretch();

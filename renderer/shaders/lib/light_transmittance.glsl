@@ -26,39 +26,39 @@ Incidence unshadowed(int l, vec3 p) {
 
 // Through the volumes that light l's shadow marches through. Where they take several dispatches: on from the
 // first one that is missing, and without meaning where `paused` is set behind it.
-float marchedTransmittance(int l, vec3 p, vec3 towards, float distance) {
+float marchedTransmittance(int l, Place from, vec3 towards, float distance) {
   int count = lights[l].shadow.x == SHADOW_RAY_MARCH ? lights[l].items.z : 0, k = firstItem();
   float tau = firstTau();
   for (; k < count && tau < kDarkness; ++k) {
     spend(1);
     if (pausesAtItem()) break;
     int v = shadowItem(lights[l].items.y + k);
-    tau += opticalDepth(v, p, towards, lights[l].extent.y, distance);
+    tau += opticalDepth(v, from, towards, lights[l].extent.y, distance);
   }
   itemsDone(k, tau);
   return exp(-tau);
 }
 
-// `inMedium`: p is a point of a medium, not of a surface.
-float lightTransmittanceTowards(int l, vec3 p, vec3 towards, float distance, bool inMedium) {
+// `inMedium`: the place is in a medium, not on a surface.
+float lightTransmittanceTowards(int l, Place from, vec3 towards, float distance, bool inMedium) {
   float T = 1.0;
 #if LIGHT_KINDS & MAPPED_SHADOWS
 #if LIGHT_KINDS & ~MAPPED_SHADOWS
   int shadow = lights[l].shadow.x;
   if (shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH)
 #endif
-    T = lookupTransmittance(l, p, inMedium);
+    T = lookupTransmittance(l, from.p, inMedium);
 #endif
 #if HAS_SHADOW(SHADOW_RAY_MARCH)
-  T *= marchedTransmittance(l, p, towards, distance);
+  T *= marchedTransmittance(l, from, towards, distance);
 #endif
   return T;
 }
 
-// Transmittance between p, in a medium, and light l.
-float lightTransmittance(int l, vec3 p) {
-  Incidence i = unshadowed(l, p);
-  return lightTransmittanceTowards(l, p, i.towards, i.distance, true);
+// Transmittance between a place in a medium and light l.
+float lightTransmittance(int l, Place from) {
+  Incidence i = unshadowed(l, from.p);
+  return lightTransmittanceTowards(l, from, i.towards, i.distance, true);
 }
 
 // What is left of light l at p, in a medium, by solids and its cone: not by media, which light passes gradually.
@@ -79,6 +79,6 @@ Passage passage(int l, vec3 p, vec3 d, float ds) {
 vec3 lightArriving(int l, vec3 p, bool inMedium, out vec3 towards) {
   Incidence i = unshadowed(l, p);
   towards = i.towards;
-  float transmittance = lightTransmittanceTowards(l, p, i.towards, i.distance, inMedium);
+  float transmittance = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, inMedium);
   return i.irradiance * (transmittance * solidVisibility(l, p, i.towards, i.distance));
 }

@@ -47,7 +47,7 @@ bool nextStep(inout Stretch s, float T, out float a, out float b, out float dept
     if (!hasSteps(s))
       more = !endsHere(s) && nextStretch(s, footprintAt(metres(s.next)), 0.5 * float(STEP_HALVES));
     if (more && hasSteps(s)) {
-      StretchSample x = look(s);
+      StretchSample x = look(s, kNoEdge);
       depth = depthOf(x);
       a = metresTo(s, x.from);
       b = metresTo(s, x.from + x.ds);

@@ -5,7 +5,8 @@
 // stretch count from where it begins: so that what is thin keeps its thickness however far away it is.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they
 // are visited one by one), EMISSION (1: some volumes emit, and it counts; else, and if undefined, no glow)
-// and STRETCH_ALBEDO (1: the active ones' albedo is kept too). A branch on a constant is none.
+// STRETCH_ALBEDO (1: the active ones' albedo is kept too) and DENSE (1: there are voxels through which no light
+// comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch on a constant is none.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
@@ -17,8 +18,13 @@
 #define STRETCH_ALBEDO EMISSION
 #endif
 
+#ifndef DENSE
+#define DENSE 0
+#endif
+
 const bool kOverflow = OVERFLOW != 0;
 const float kNoEdge = 1e30;
+const float kCoarseSteps = 32.0;
 // A volume is inside a stretch that misses so much of its chord: roundings differ between the places at which
 // a compiler repeats them.
 const float kSameEdge = 1e-5;
@@ -37,8 +43,11 @@ struct Stretch {
 #endif
   int count, rest;        // how many are active; the first of the list that got no register
   vec2 begin, next;       // where it begins and where the next one does: anchor, rest
+  int first, level;       // the first active volume and its mip, or -1
+  Place start;            // where it begins, in that volume
   float span;             // metres from one to the other
   float ds;               // [m] a step where nothing is dense
+  float edge;             // [m] first and last step: what is next to a grid's face falls off over a voxel
   float at, wanted;       // metres into the stretch to the next step, and how long it shall be
   float footprint;        // [m] where it begins
 };
@@ -54,7 +63,10 @@ struct StretchSample {
 float metres(vec2 place) { return place.x + place.y; }
 // Metres along the ray to a place in the stretch, and the place.
 float metresTo(Stretch s, float at) { return s.begin.x + (s.begin.y + at); }
-vec3 pointAt(Stretch s, float at) { return s.o + metresTo(s, at) * s.d; }
+vec3 pointAt(Stretch s, float at) { return s.start.p + at * s.d; }
+Place placeAt(Stretch s, float at) {
+  return Place(pointAt(s, at), s.first < 0 ? vec3(0.0) : localAt(s.first, s.rays[0], s.level, at), s.first);
+}
 float middleOf(StretchSample x) { return x.from + 0.5 * x.ds; }
 float depthOf(StretchSample x) { return x.sigma * x.ds; }
 
@@ -65,7 +77,8 @@ Stretch beginStretches(vec3 o, vec3 d, vec2 from, float end, ivec2 range, float 
   s.offset = offset, s.most = most;
   s.count = 0, s.rest = range.y;
   s.begin = from, s.next = from, s.span = 0.0;
-  s.ds = 0.0, s.at = 0.0, s.wanted = 0.0, s.footprint = 0.0;
+  s.first = -1, s.level = 0, s.start = placeAt(o + metres(from) * d);
+  s.ds = 0.0, s.edge = 0.0, s.at = 0.0, s.wanted = 0.0, s.footprint = 0.0;
   return s;
 }
 
@@ -82,11 +95,13 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
   s.span = kNoEdge;
   s.footprint = footprint;
   s.count = 0, s.rest = s.range.y;
-  float ds = 1e30;
+  float ds = 1e30, finest = 1e30, voxel = 1e30;
+  s.first = -1;
   for (int item = s.range.x; item < s.range.y; ++item) {
     int v = tileItem(item);
     VolumeRay ray;
-    vec2 hit = enterVolume(v, s.o, s.d, levelFor(v, footprint), ray);
+    int level = levelFor(v, footprint);
+    vec2 hit = enterVolume(v, s.o, s.d, level, ray);
     float ahead = ray.anchor - s.begin.x;
     vec2 edges = (hit - s.begin.y) + ahead;  // from where the stretch begins
     float slack = kSameEdge * (hit.y - hit.x);
@@ -95,7 +110,11 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
     bool nearest = counts && edge < s.span;
     s.span = nearest ? edge : s.span;
     s.next = nearest ? vec2(ray.anchor, inside ? hit.y : hit.x) : s.next;
-    ds = inside ? min(ds, stepFor(v, footprint)) : ds;
+    ds = inside ? min(ds, stepFor(v, footprint, scale)) : ds;
+    finest = inside ? min(finest, stepFor(v, footprint)) : finest;
+    voxel = inside ? min(voxel, voxelOf(v, level)) : voxel;
+    s.level = inside && s.first < 0 ? level : s.level;
+    s.first = inside && s.first < 0 ? v : s.first;
     for (int k = 0; k < ACTIVE; ++k) {
       if (inside && s.count == k) {
         s.rays[k] = startingAt(ray, s.begin.y - ahead);
@@ -111,9 +130,18 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
   bool more = s.span < kNoEdge && end > 0.0, cut = s.span >= end;
   s.next = cut ? vec2(s.end, 0.0) : s.next;
   s.span = more ? min(s.span, end) : 0.0;
-  s.ds = s.span / clamp(ceil(s.span / (ds * scale)), 1.0, float(STRETCH_MOST_STEPS));
+  // Coarse steps are for long ways.
+  ds = min(ds, max(finest, s.span / kCoarseSteps));
+  s.ds = s.span / clamp(ceil(s.span / ds), 1.0, float(STRETCH_MOST_STEPS));
+  s.edge = min(voxel, s.ds);
   s.at = more && s.count > 0 ? 0.0 : s.span;
-  s.wanted = firstStep(s);
+  s.wanted = s.edge;
+  s.start = placeAt(s.o + metres(s.begin) * s.d);
+  if (s.first >= 0) {
+    s.start.local = localAt(s.first, s.rays[0], s.level, 0.0);
+    s.start.p = (worldFromLocal(s.first) * vec4(s.start.local, 1.0)).xyz;
+    s.start.volume = s.first;
+  }
   return more;
 }
 
@@ -140,12 +168,14 @@ vec3 glowOf(int item, VolumeRay ray, vec4 table) { return vec3(0.0); }
 #endif
 
 // Looks at the middle of the next step and goes on behind it: behind empty bricks at once; not at all where
-// the step is too dense, which makes the next one shorter.
-StretchSample look(inout Stretch s) {
+// the step is too dense, which makes the next one shorter. No step goes past `cut` [m into the stretch].
+StretchSample look(inout Stretch s, float cut) {
   StretchSample x;
   float left = s.span - s.at;
   x.from = s.at;
-  x.ds = left <= 1.25 * s.wanted ? left : s.wanted;
+  float least = min(s.edge, s.wanted);
+  x.ds = left <= 1.25 * least ? left : min(s.wanted, left - least);
+  x.ds = cut > s.at ? min(x.ds, cut - s.at) : x.ds;
   float middle = x.from + 0.5 * x.ds, empty = 1e30;
   for (int k = 0; k < ACTIVE; ++k) empty = k < s.count ? min(empty, emptyUntil(s.rays[k], middle)) : empty;
   if (kOverflow) empty = s.rest < s.range.y ? middle : empty;
@@ -166,12 +196,20 @@ StretchSample look(inout Stretch s) {
       }
     }
   }
-  float fitting = 0.9 * s.most / max(x.sigma, 1e-30);
+  float peak = x.sigma;
+#if DENSE
+  float end = 0.0;
+  for (int k = 0; k < ACTIVE; ++k)
+    end += k < s.count && something ? mediumAt(s.rays[k], x.from + 0.999 * x.ds).w : 0.0;
+  peak = max(peak, end);
+#endif
+  float fitting = 0.9 * s.most / max(peak, 1e-30);
   // No shorter than floats can tell: the step is exact for what does not change within it.
-  bool dense = depthOf(x) > 1.5 * s.most && x.ds > 1e-6 * s.at;
+  bool dense = peak * x.ds > 1.5 * s.most && x.ds > 1e-6 * s.at;
   float to = something ? (x.ds == left ? s.span : x.from + x.ds) : min(empty, s.span);
+  float longest = x.from > 0.0 ? s.ds : firstStep(s);
   s.wanted = dense       ? max(fitting, kLeastOfStep * x.ds)
-             : something ? min(s.ds, clamp(fitting, x.ds, kMostOfStep * x.ds))
+             : something ? min(longest, clamp(fitting, x.ds, kMostOfStep * max(x.ds, s.edge)))
                          : firstStep(s);
   s.at = dense ? s.at : to;
   x.ds = dense ? 0.0 : something ? x.ds : to - x.from;

@@ -60,7 +60,7 @@ vec4 remapped(vec4 remap, float density) {
 
 // A coarse voxel stands for what is in it as long as it is thin: up to this optical depth, were it as dense as
 // the densest. Light falls off exponentially, so that the mean extinction of a thick one lets too little pass.
-const float kThinVoxel = 0.1;
+const float kThinVoxel = 0.1, kCoarseStep = 0.3;
 
 // What of a footprint [m] volume v may be averaged over.
 float resolvable(int v, float footprint) {
@@ -81,6 +81,16 @@ float stepFor(int v, float footprint) {
   return shapeOf(v).x == SHAPE_GRID ? resolvable(v, footprint) : detailOf(v);
 }
 
+// The same where steps of `scale` details will do: but a step longer than a voxel holds little of the densest.
+float stepFor(int v, float footprint, float scale) {
+  float step_ = stepFor(v, footprint);
+  bool grid = shapeOf(v).x == SHAPE_GRID;
+  return grid && scale > 1.0 ? max(min(scale * step_, kCoarseStep * volumeRow(v, 11).y), step_) : scale * step_;
+}
+
+// A voxel [m] of the level that goes with it.
+float voxelOf(int v, int level) { return detailOf(v) * exp2(float(level - shapeOf(v).w)); }
+
 vec2 intersectShape(ivec4 shape, vec3 o, vec3 d, vec3 lo, vec3 hi) {
   vec2 hit = intersectBox(o, d, lo, hi);
 #if SHAPES & SHAPES_EXACT
@@ -89,15 +99,22 @@ vec2 intersectShape(ivec4 shape, vec3 o, vec3 d, vec3 lo, vec3 hi) {
   return hit;
 }
 
-// The part (t0, t1) of the line inside volume v, counted from r.anchor, and the line ready for sampling at a
-// mip level. The anchor is at or behind o.
-vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
-  mat4 m = localFromWorld(v);
-  vec3 lo = (m * vec4(o, 1.0)).xyz, ld = (m * vec4(d, 0.0)).xyz;
+// The part (t0, t1) of the line lo + t ld of its local space inside volume v, counted from r.anchor, and the
+// line ready for sampling at a mip level. The anchor is at or behind lo.
+vec2 enterLocal(int v, vec3 lo, vec3 ld, int level, out VolumeRay r) {
   vec4 boxMin = boundsMin(v), boxMax = boundsMax(v);
   ivec4 shape = shapeOf(v);
   r.analytic = shape.x != SHAPE_GRID;
   r.extinction = boxMin.w * (r.analytic ? boxMax.w : 1.0);
+#if SHAPES & SHAPES_GRID
+  level = clamp(level, shape.w, max(shape.z - 1, 0));
+  // A coarse voxel reaches further out than the ones it is the mean of, of which the outermost are zeros.
+  float s = exp2(-float(level)), edge = exp2(float(level));
+  if (!r.analytic) {
+    boxMin.xyz = (floor((boxMin.xyz + 1.0) * s) - 0.5) * edge - 0.5;
+    boxMax.xyz = (floor((boxMax.xyz - 1.0) * s) + 1.5) * edge - 0.5;
+  }
+#endif
   // Met twice: from o, which may be far, and from the entry found so.
   vec2 rough = intersectShape(shape, lo, ld, boxMin.xyz, boxMax.xyz);
   r.anchor = rough.x < rough.y ? max(rough.x, 0.0) : 0.0;
@@ -110,10 +127,8 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
   r.remap = volumeRow(v, 13);
 #endif
 #if SHAPES & SHAPES_GRID
-  level = clamp(level, shape.w, max(shape.z - 1, 0));
   ivec4 record = levelRecord(shape, level);
   // A level-0 position p is (p + 0.5) / 2^level - 0.5 on the level.
-  float s = exp2(-float(level));
   if (!r.analytic) {
     r.o = (lo + 0.5) * s - 0.5;
     r.d = ld * s;
@@ -123,6 +138,30 @@ vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
 #endif
   return hit;
 }
+
+vec2 enterVolume(int v, vec3 o, vec3 d, int level, out VolumeRay r) {
+  mat4 m = localFromWorld(v);
+  return enterLocal(v, (m * vec4(o, 1.0)).xyz, (m * vec4(d, 0.0)).xyz, level, r);
+}
+
+// Where t is on a line, in the local space of volume v, at whose level the line is.
+vec3 localAt(int v, VolumeRay r, int level, float t) {
+  vec3 q = r.o + t * r.d;
+#if SHAPES & SHAPES_GRID
+  ivec4 shape = shapeOf(v);
+  level = clamp(level, shape.w, max(shape.z - 1, 0));
+  if (!r.analytic) q = (q + 0.5) * exp2(float(level)) - 0.5;
+#endif
+  return q;
+}
+
+// A place, and, where it is in a volume, that volume (else -1) and the place in its local space: exact also
+// where what is dense changes within less than a float can tell so far from the pass's origin.
+struct Place {
+  vec3 p, local;
+  int volume;
+};
+Place placeAt(vec3 p) { return Place(p, vec3(0.0), -1); }
 
 // The part of the line inside it, from o; only as exact as that far away.
 vec2 extentOfVolume(int v, vec3 o, vec3 d) {
@@ -231,20 +270,44 @@ int stepAtOrBehind(int i, float t, float t0, float offset, float ds) {
 
 const float kDarkness = 60.0;  // an optical depth behind which none is looked for
 
-// Optical depth of volume v from p along the unit direction d over tMax metres, midpoint march, steps of
-// `scale` details; no more than kDarkness is needed. Samples are taken MARCH_UNROLL at a time (written out: a
+// Optical depth from t0 to t1 of a grid so dense that light changes much over a step of ds: in steps that hold
+// no more than a part of it, until it is dark.
+float denseDepth(VolumeRay r, float t0, float t1, float ds) {
+  const float kPiece = 0.25;
+  const int kMost = MARCH_MOST_STEPS / MARCH_UNROLL;
+  ds = max(ds, (t1 - t0) / float(kMost / 2));
+  float sum = 0.0, t = t0, piece = min(ds, kPiece / max(sigmaAt(r, t0), 1e-30));
+  int i = 0;
+  do {
+    piece = min(piece, t1 - t);
+    float middle = t + 0.5 * piece, sigma = sigmaAt(r, middle), empty = emptyUntil(r, middle);
+    bool dense = sigma * piece > 2.0 * kPiece && piece > 1e-6 * (t - t0);
+    sum += dense ? 0.0 : sigma * piece;
+    t = dense ? t : max(t + piece, empty > middle ? empty : t);
+    piece = dense ? max(0.25 * piece, kPiece / sigma) : min(ds, min(4.0 * piece, kPiece / max(sigma, 1e-30)));
+    ++i;
+  } while (t < t1 && sum < kDarkness && i < kMost);
+  spend(i);
+  return sum;
+}
+
+// Optical depth of volume v from a place along the unit direction d over tMax metres, midpoint march, steps of
+// `scale` details or less where it is dense; no more than kDarkness is needed. Samples are taken MARCH_UNROLL at a time (written out: a
 // loop would cost iterations); in empty bricks they are zeros, and where a group begins in one it is left at
 // once.
 #define MARCH_SAMPLE(j) \
   sum += i + j < n ? sigmaAt(r, begin + float(j) * ds) : 0.0;
-float opticalDepth(int v, vec3 p, vec3 d, float scale, float tMax) {
+float opticalDepth(int v, Place from, vec3 d, float scale, float tMax) {
   VolumeRay r;
-  vec2 hit = enterVolume(v, p, d, 0, r);
+  mat4 m = localFromWorld(v);
+  vec3 lo = v == from.volume ? from.local : (m * vec4(from.p, 1.0)).xyz;
+  vec2 hit = enterLocal(v, lo, (m * vec4(d, 0.0)).xyz, 0, r);
   float t0 = max(hit.x, -r.anchor), t1 = max(min(hit.y, tMax - r.anchor), t0);
   if (r.analytic) return r.extinction * (t1 - t0);
   int n = int(clamp(ceil((t1 - t0) / (detailOf(v) * scale)), 1.0, float(MARCH_MOST_STEPS)));
   float ds = (t1 - t0) / float(n), sum = 0.0;
   if (ds <= 0.0) return 0.0;
+  if (ds > volumeRow(v, 11).y) return denseDepth(r, t0, t1, ds);
   int i = 0;
   do {
     float begin = t0 + (float(i) + 0.5) * ds;

@@ -8,6 +8,6 @@ uniform int first, end;
 void main() {
   int i = first + int(gl_WorkGroupID.y * gl_WorkGroupSize.x + gl_LocalInvocationID.x);
   if (i >= end) return;
-  float T = lightTransmittance(0, positions[i].xyz);
+  float T = lightTransmittance(0, placeAt(positions[i].xyz));
   if (gl_WorkGroupID.x == 0u || T < 0.0) outputs[i] = T;  // never below 0: the others only look up
 }

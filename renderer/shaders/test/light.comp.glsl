@@ -11,7 +11,7 @@ void main() {
   vec3 p = inputs[2 * i].xyz, towards, normal = vec3(0.0);
   Incidence unblocked = unshadowed(0, p);
   outputs[5 * i] = vec4(unblocked.towards, unblocked.distance);
-  outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTransmittance(0, p));
+  outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTransmittance(0, placeAt(p)));
   float visible = solidVisibility(0, p, unblocked.towards, unblocked.distance);
   outputs[5 * i + 2] = vec4(lightArriving(0, p, true, towards), visible);
   int solid = -1;

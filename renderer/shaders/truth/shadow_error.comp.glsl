@@ -26,18 +26,18 @@ int binOf(float magnitude) {
   return min(bin, ERROR_BINS - 1);
 }
 
-void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
+void addPair(int i, Place from, float weight, float facing, bool inMedium) {
   int l = 2 * i;
-  Incidence in_ = unshadowed(l, p);
-  float reached = solidVisibility(l, p, in_.towards, in_.distance) * facing;
+  Incidence in_ = unshadowed(l, from.p);
+  float reached = solidVisibility(l, from.p, in_.towards, in_.distance) * facing;
   if (reached <= 0.0 || all(lessThanEqual(in_.irradiance, vec3(0.0)))) return;
   if (!lightIsDue(l + 1)) return;
   if (lightIsDue(l)) {
-    mapped = lightTransmittanceTowards(l, p, in_.towards, in_.distance, inMedium);
+    mapped = lightTransmittanceTowards(l, from, in_.towards, in_.distance, inMedium);
     lightDone(l);
     if (paused) return;
   }
-  float truth = lightTransmittanceTowards(l + 1, p, in_.towards, in_.distance, inMedium);
+  float truth = lightTransmittanceTowards(l + 1, from, in_.towards, in_.distance, inMedium);
   lightDone(l + 1);
   if (paused) return;
   float d = mapped - truth, magnitude = abs(d);
@@ -52,19 +52,20 @@ void addPair(int i, vec3 p, float weight, float facing, bool inMedium) {
 
 void passStep(Stretch s, inout StretchSample x) {}
 void passGap() {}
+float nextCut(Stretch s) { return kNoEdge; }
 
 bool addSample(CameraRay ray, Stretch s, StretchSample x) {
-  vec3 p = pointAt(s, middleOf(x));
+  Place at = placeAt(s, middleOf(x));
   float weight = T * (1.0 - through(x));
   if (x.sigma > 0.0)
-    for (int i = 0; i < pairCount; ++i) addPair(i, p, weight, 1.0, true);
+    for (int i = 0; i < pairCount; ++i) addPair(i, at, weight, 1.0, true);
   return true;
 }
 
 void addSolid(CameraRay ray) {
   vec3 off = solidClear(ray);
   for (int i = 0; i < pairCount; ++i)
-    addPair(i, off, T, max(dot(ray.normal, unshadowed(2 * i, off).towards), 0.0), false);
+    addPair(i, placeAt(off), T, max(dot(ray.normal, unshadowed(2 * i, off).towards), 0.0), false);
 }
 
 void main() {

@@ -37,8 +37,8 @@ volume::Instance gridSlab(double sigma) {
   volume::Instance i;
   i.shape = volume::Shape::Grid;
   i.grid = grid;
-  i.worldFromLocal = glm::scale(dmat4(1.0), dvec3(1.0 / 8)) *
-                     glm::translate(dmat4(1.0), dvec3(-239.5, -239.5, -3.5));
+  i.worldFromLocal =
+      glm::scale(dmat4(1.0), dvec3(1.0 / 8)) * glm::translate(dmat4(1.0), dvec3(-239.5, -239.5, -3.5));
   i.medium.extinction = sigma;
   return i;
 }
@@ -67,7 +67,8 @@ view::RenderScene sceneOf(const volume::InstanceList& volumes, const shadow::Sha
   return scene;
 }
 
-void compareSlab(const char* table, const std::function<volume::Instance(double)>& make, const ShadowSpec& spec) {
+void compareSlab(const char* table, const std::function<volume::Instance(double)>& make,
+                 const ShadowSpec& spec) {
   test::renderer();
   test::Rows rows(table);
   for (const double sigma : kSigmas)
@@ -103,8 +104,14 @@ TEST(DenseMedia, TheQuadratureAgreesWithTheClosedForm) {
       }
 }
 
-TEST(DenseMedia, BoxUnderMarchedShadows) { compareSlab("box, marched shadows", [](double s) { return slab(s); }, marched()); }
-TEST(DenseMedia, BoxUnderTheDefaultMap) { compareSlab("box, default map", [](double s) { return slab(s); }, defaultMap()); }
+TEST(DenseMedia, BoxUnderMarchedShadows) {
+  compareSlab(
+      "box, marched shadows", [](double s) { return slab(s); }, marched());
+}
+TEST(DenseMedia, BoxUnderTheDefaultMap) {
+  compareSlab(
+      "box, default map", [](double s) { return slab(s); }, defaultMap());
+}
 TEST(DenseMedia, GridUnderMarchedShadows) { compareSlab("grid, marched shadows", gridSlab, marched()); }
 TEST(DenseMedia, GridUnderTheDefaultMap) { compareSlab("grid, default map", gridSlab, defaultMap()); }
 
@@ -133,8 +140,7 @@ void compareWith(const char* table, double sigmaOther, double zOther) {
   for (const double sigma : kSigmas)
     for (const double off : {0.0, 60.0})
       for (const ShadowSpec& spec : {marched(), defaultMap()}) {
-        const volume::InstanceList volumes{slab(sigma),
-                                           slab(sigmaOther < 0 ? sigma : sigmaOther, zOther)};
+        const volume::InstanceList volumes{slab(sigma), slab(sigmaOther < 0 ? sigma : sigmaOther, zOther)};
         const dvec3 eye(0, 0, std::max(zOther, 0.0) + 10.5);
         const scene::Light sun = sunOff(off);
         const double right =
@@ -186,8 +192,7 @@ TEST(DenseMedia, EveryRepresentationGivesTheIntegralOfItsOwnLookups) {
         const auto light = test::shadowed(sunOff(off), spec, volumes);
         // Away from where texels meet: there a map's own step would be looked at.
         const dvec3 eye = kEye + dvec3(0.011, 0.007, 0);
-        const double right =
-            test::exactAlong(volumes, {test::asLookedUp(light)}, eye, {0, 0, -1}).radiance.x;
+        const double right = test::exactAlong(volumes, {test::asLookedUp(light)}, eye, {0, 0, -1}).radiance.x;
         for (const double step : {1.0, 4.0})
           rows.check(fmt::format("{}, sigma {}, sun {} degrees off, step {}", shadow::describe(spec), sigma,
                                  off, step),
@@ -227,8 +232,8 @@ TEST(DenseMedia, DeepMapsKeepTheirBoundOnAnalyticShapes) {
         const auto tau = test::lookupTau(*map, sun, at);
         double worst = 0;
         for (std::size_t i = 0; i < at.size(); ++i)
-          worst = std::max(worst, std::abs(std::exp(-double(tau[i])) -
-                                           std::exp(-shadow::opticalDepthToLight(volumes, sun, dvec3(at[i])))));
+          worst = std::max(worst, std::abs(std::exp(-double(tau[i])) - std::exp(-shadow::opticalDepthToLight(
+                                                                           volumes, sun, dvec3(at[i])))));
         rows.check(fmt::format("bound {}, sigma {}, sun {} degrees off", bound, sigma, off), worst, 0, 0,
                    bound + 1e-3);
       }
@@ -249,9 +254,9 @@ TEST(DenseMedia, FromInsideAndFromAFace) {
             // What is dark is not looked at by its ratio.
             if (right.radiance.x < 1e-4) continue;
             const auto light = test::shadowed(sun, spec, volumes);
-            const std::string what = fmt::format("{}, sigma {}, z {}, direction ({}, {}), {}",
-                                                 grid ? "grid" : "box", sigma, z, d.x, d.z,
-                                                 shadow::describe(spec));
+            const std::string what =
+                fmt::format("{}, sigma {}, z {}, direction ({}, {}), {}", grid ? "grid" : "box", sigma, z,
+                            d.x, d.z, shadow::describe(spec));
             const dvec4 seen = test::onTheAxis(sceneOf(volumes, light), eye, eye + d, 1, 1);
             rows.check(what, seen.x, right.radiance.x, 0.01, 1e-4);
             rows.check(what + ", alpha", seen.w, right.alpha, 0, 2e-3);
@@ -269,10 +274,12 @@ TEST(DenseMedia, BallUnderSlantedLight) {
       const auto light = test::shadowed(sun, spec, volumes);
       for (const dvec3& target : {dvec3(0), dvec3(0.31, 0.2, 0.4), dvec3(0.1, 0.77, 0)}) {
         const double right =
-            test::exactAlong(volumes, {test::exactly(volumes, sun)}, kEye, glm::normalize(target - kEye)).radiance.x;
-        rows.check(fmt::format("sigma {}, target {} {}, {}", sigma, target.x, target.y, shadow::describe(spec)),
-                   test::onTheAxis(sceneOf(volumes, light), kEye, target, 1, 1).x, right,
-                   spec.kind == ShadowSpec::Kind::RayMarch ? 0.01 : 0.02, 1e-4);
+            test::exactAlong(volumes, {test::exactly(volumes, sun)}, kEye, glm::normalize(target - kEye))
+                .radiance.x;
+        rows.check(
+            fmt::format("sigma {}, target {} {}, {}", sigma, target.x, target.y, shadow::describe(spec)),
+            test::onTheAxis(sceneOf(volumes, light), kEye, target, 1, 1).x, right,
+            spec.kind == ShadowSpec::Kind::RayMarch ? 0.01 : 0.02, 1e-4);
       }
     }
 }

@@ -67,7 +67,8 @@ TEST(Extremes, PositionsTimesAnythingAndExtinctionOverItAreTheSamePicture) {
   test::renderer();
   test::Rows rows("scaled scenes");
   const auto picture = [](double by, const ShadowSpec& spec) {
-    volume::InstanceList volumes{blobs(by, 5), test::box(by * dvec3(0.3, 0, 0), by * dvec3(0.5, 0.6, 0.4), 1.3 / by)};
+    volume::InstanceList volumes{blobs(by, 5),
+                                 test::box(by * dvec3(0.3, 0, 0), by * dvec3(0.5, 0.6, 0.4), 1.3 / by)};
     view::RenderScene scene;
     scene.volumes = volumes;
     scene.options.size = ivec2(32, 18);
@@ -85,7 +86,8 @@ TEST(Extremes, PositionsTimesAnythingAndExtinctionOverItAreTheSamePicture) {
       const image::Image other = picture(by, spec);
       double worst = 0, most = 0;
       for (std::size_t i = 0; i < one.layers[0].pixels.size(); ++i) {
-        worst = std::max(worst, std::abs(double(one.layers[0].pixels[i]) - double(other.layers[0].pixels[i])));
+        worst =
+            std::max(worst, std::abs(double(one.layers[0].pixels[i]) - double(other.layers[0].pixels[i])));
         most = std::max(most, double(one.layers[0].pixels[i]));
         if (!std::isfinite(other.layers[0].pixels[i])) worst = 1e30;
       }
@@ -112,7 +114,8 @@ TEST(Extremes, PicturesOfOnePixel) {
       constexpr int kRays = 120;
       for (int y = 0; y < kRays; ++y)
         for (int x = 0; x < kRays; ++x) {
-          const dvec3 d = scene::rayDirection(o.camera, double(size.x) / size.y, (dvec2(x, y) + 0.5) / double(kRays));
+          const dvec3 d =
+              scene::rayDirection(o.camera, double(size.x) / size.y, (dvec2(x, y) + 0.5) / double(kRays));
           const test::Exact e = test::exactAlong(volumes, {test::exactly(volumes, sun)}, o.camera.eye, d, 4);
           right += dvec4(e.radiance, e.alpha) / double(kRays * kRays);
         }
@@ -128,15 +131,17 @@ TEST(Extremes, NearlyNoThickness) {
   const scene::Light sun = test::sunFrom({0.3, 0.5, 0.8});
   for (const double h : {1e-4, 1e-6, 1e-8, 1e-12, 0.0})
     for (const double sigma : {1.0, 1e4})
-      for (const ShadowSpec& spec : {marched(), test::improved(4, 8, 64), test::deep(0.01, 64), test::fourier(7, 64)}) {
-        const volume::InstanceList volumes{test::box({0, 0, 0}, {1, 1, h}, sigma), test::box({0, 0, -1}, {1, 1, 0.5}, 2)};
+      for (const ShadowSpec& spec :
+           {marched(), test::improved(4, 8, 64), test::deep(0.01, 64), test::fourier(7, 64)}) {
+        const volume::InstanceList volumes{test::box({0, 0, 0}, {1, 1, h}, sigma),
+                                           test::box({0, 0, -1}, {1, 1, 0.5}, 2)};
         view::RenderScene scene;
         scene.volumes = volumes;
         scene.lights = {test::shadowed(sun, spec, volumes)};
         const double tau = sigma * h + 1;
         const dvec4 seen = test::onTheAxis(scene, {0, 0, 3}, dvec3(0), 1, 1);
-        rows.check(fmt::format("{} m, sigma {}, {}", h, sigma, shadow::describe(spec)), seen.w, -std::expm1(-tau),
-                   0, 3e-3);
+        rows.check(fmt::format("{} m, sigma {}, {}", h, sigma, shadow::describe(spec)), seen.w,
+                   -std::expm1(-tau), 0, 3e-3);
         EXPECT_TRUE(std::isfinite(seen.x) && seen.x >= 0);
       }
 }
@@ -146,14 +151,16 @@ TEST(Extremes, ExtinctionBeyondAllMeasure) {
   test::Rows rows("beyond all measure");
   for (const double sigma : {1e6, 1e8, 1e12, 1e20, 1e30})
     for (const bool grid : {false, true})
-      for (const ShadowSpec& spec : {marched(), test::improved(4, 8, 64), test::deep(0.01, 64), test::fourier(7, 64)}) {
+      for (const ShadowSpec& spec :
+           {marched(), test::improved(4, 8, 64), test::deep(0.01, 64), test::fourier(7, 64)}) {
         volume::Instance v = grid ? blobs(1, sigma) : test::box({0, 0, 0}, {1, 1, 1}, sigma);
         view::RenderScene scene;
         scene.volumes = {v};
         scene.lights = {test::shadowed(test::sunFrom({0, 0, 1}), spec, {v})};
         const dvec3 target(0.15, 0.25, 0.1);
         const dvec4 seen = test::onTheAxis(scene, {0.15, 0.25, 4}, target, 1, 1);
-        const std::string what = fmt::format("sigma {}, {}, {}", sigma, grid ? "grid" : "box", shadow::describe(spec));
+        const std::string what =
+            fmt::format("sigma {}, {}, {}", sigma, grid ? "grid" : "box", shadow::describe(spec));
         rows.check(what + ", alpha", seen.w, 1, 0, 1e-3);
         EXPECT_TRUE(std::isfinite(seen.x)) << what;
         // Of a box the lit skin, however thin, is what is seen.

@@ -71,8 +71,8 @@ Placed voxels(double size) {
   return s;
 }
 
-void compare(test::Rows& rows, const std::string& what, const Placed& placed, const std::vector<dvec3>& places,
-             bool maps = true) {
+void compare(test::Rows& rows, const std::string& what, const Placed& placed,
+             const std::vector<dvec3>& places, bool maps = true) {
   std::vector<ShadowSpec> specs{marched()};
   if (maps) specs.push_back(test::improved(4, 8, 256));
   for (const ShadowSpec& spec : specs) {
@@ -94,7 +94,8 @@ TEST(FarFromOrigin, Boxes) {
 
 TEST(FarFromOrigin, Voxels) {
   test::Rows rows("voxels far away");
-  for (const double size : {1.0, 0.1, 0.01}) compare(rows, fmt::format("voxels of {} m", size), voxels(size), {kMapped});
+  for (const double size : {1.0, 0.1, 0.01})
+    compare(rows, fmt::format("voxels of {} m", size), voxels(size), {kMapped});
 }
 
 TEST(FarFromOrigin, PointAndSpotLights) {
@@ -114,7 +115,8 @@ TEST(FarFromOrigin, PointAndSpotLights) {
 TEST(FarFromOrigin, Solids) {
   test::Rows rows("solids far away");
   Placed s = boxes();
-  s.solids = {test::solidPlane({0, 0, 0}, {30, 1, 30}), test::solidBox({-0.2, 0.5, 2.3}, {0.6, 1, 0.6}, {0, 25, 0})};
+  s.solids = {test::solidPlane({0, 0, 0}, {30, 1, 30}),
+              test::solidBox({-0.2, 0.5, 2.3}, {0.6, 1, 0.6}, {0, 25, 0})};
   s.lights.push_back(test::pointAt({-2, 3, 2}, 30));
   auto places = kFar;
   places.push_back(kMapped);

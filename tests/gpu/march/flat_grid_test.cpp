@@ -26,8 +26,9 @@ volume::GridPtr layer() {
         for (int y = 0; y < volume::kStoredSize; ++y)
           for (int x = 0; x < volume::kStoredSize; ++x) {
             const vec3 p = vec3(lo + ivec3(x, y, z));
-            const float cells = std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
-                                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
+            const float cells =
+                std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
+                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
             const float height = 1 - std::abs(p.y - 20) / 20;
             *out++ = std::clamp(2 * (cells - 0.15f), 0.0f, 1.0f) * std::clamp(height * 1.5f, 0.0f, 1.0f);
           }
@@ -83,10 +84,11 @@ TEST(FlatGrid, ShadowsAreAsGoodAsOfIsotropicVoxels) {
   for (const int resolution : {256, 1024}) {
     const ShadowSpec spec = test::improved(4, 8, resolution);
     const Error a = errorOf(placed(flat), spec), b = errorOf(placed(even), spec);
-    std::printf("flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
-                resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
-    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution), std::max(a.map, b.map),
-               b.map, 0.25, 0.01);
+    std::printf(
+        "flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
+        resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
+    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution),
+               std::max(a.map, b.map), b.map, 0.25, 0.01);
     rows.check("marched, flat", a.marched, 0, 0, 0.02);
     rows.check("marched, isotropic", b.marched, 0, 0, 0.02);
   }
@@ -115,16 +117,22 @@ TEST(FlatGrid, PicturesOfMapsAndMarchesAgree) {
     double square = 0, sum = 0;
     for (std::size_t i = 0; i < truth.layers[0].pixels.size(); i += 4) {
       const double a = double(mapped.layers[0].pixels[i]), b = double(truth.layers[0].pixels[i]);
-      if (truth.layers[0].pixels[i + 3] > 0.01f) square += (a - b) * (a - b), sum += b;
-      else continue;
+      if (truth.layers[0].pixels[i + 3] > 0.01f)
+        square += (a - b) * (a - b), sum += b;
+      else
+        continue;
       ++errors[1];
     }
     const double n = errors[1];
     errors[1] = 0;
     const double e = std::sqrt(square / n) / (sum / n);
-    std::printf("flat grid, picture of %s voxels: map against march %.3f of the mean\n", isFlat ? "flat" : "isotropic", e);
-    if (isFlat) errors[0] = e;
-    else rows.check("error of the flat one against that of the isotropic one", std::max(errors[0], e), e, 0.25, 0.01);
+    std::printf("flat grid, picture of %s voxels: map against march %.3f of the mean\n",
+                isFlat ? "flat" : "isotropic", e);
+    if (isFlat)
+      errors[0] = e;
+    else
+      rows.check("error of the flat one against that of the isotropic one", std::max(errors[0], e), e, 0.25,
+                 0.01);
     for (const auto* image : {&truth, &mapped})
       for (const float v : image->layers[0].pixels) ASSERT_TRUE(std::isfinite(v));
   }

@@ -36,12 +36,12 @@ TEST(LocalLights, ASceneInMillimetresUnderADefaultPointLight) {
         scene.lights = {test::shadowed(light, spec, volumes)};
         scene::Light point = light;
         point.radius = 0;
-        const double right = test::exactAlong(volumes, {test::exactly(volumes, point)}, eye,
-                                              glm::normalize(target - eye))
-                                 .radiance.x;
+        const double right =
+            test::exactAlong(volumes, {test::exactly(volumes, point)}, eye, glm::normalize(target - eye))
+                .radiance.x;
         for (const double step : {1.0, 4.0})
-          rows.check(fmt::format("light at ({}, {}, {}) mm, target ({:.1f}, {:.1f}), step {}, {}", at.x, at.y, at.z,
-                                 target.x / mm, target.y / mm, step, shadow::describe(spec)),
+          rows.check(fmt::format("light at ({}, {}, {}) mm, target ({:.1f}, {:.1f}), step {}, {}", at.x, at.y,
+                                 at.z, target.x / mm, target.y / mm, step, shadow::describe(spec)),
                      test::onTheAxis(scene, eye, target, 1, step).x, right, 0.02);
       }
   }
@@ -91,15 +91,17 @@ void compareHaze(const char* table, bool grid, double g) {
         o.stepScale = step;
         o.camera = camera;
         const image::Image image = test::render(o, volumes, {test::shadowed(light, spec, volumes)});
-        const std::string what = fmt::format("step {}, {} samples, {}", step, samples, shadow::describe(spec));
+        const std::string what =
+            fmt::format("step {}, {} samples, {}", step, samples, shadow::describe(spec));
         rows.check(what + ", mean", test::meanOf(image).x, samples == 1 ? meanCentres : meanRight, 0.02);
         // No pixel is far above what belongs there: of one sample its own ray, of several the mean of the
         // pixel, about which those next to the light scatter.
         double most = 0;
         for (std::size_t i = 0; i < right.size(); ++i)
-          most = std::max(most, double(image.layers[0].pixels[4 * i]) / (samples == 1 ? centres[i] : right[i]));
-        rows.check(what + ", most of a pixel", std::max(most, samples == 1 ? 1.0 : 1.5), samples == 1 ? 1 : 1.5,
-                   0.02);
+          most =
+              std::max(most, double(image.layers[0].pixels[4 * i]) / (samples == 1 ? centres[i] : right[i]));
+        rows.check(what + ", most of a pixel", std::max(most, samples == 1 ? 1.0 : 1.5),
+                   samples == 1 ? 1 : 1.5, 0.02);
       }
 }
 
@@ -122,8 +124,7 @@ TEST(LocalLights, CloseBesideTheRay) {
         view::RenderScene scene;
         scene.volumes = haze;
         scene.lights = {test::shadowed(light, spec, haze)};
-        const double right =
-            test::exactAlong(haze, {test::exactly(haze, light)}, eye, {0, 0, -1}).radiance.x;
+        const double right = test::exactAlong(haze, {test::exactly(haze, light)}, eye, {0, 0, -1}).radiance.x;
         for (const double step : {0.5, 1.0, 4.0})
           rows.check(fmt::format("{} m beside, g {}, step {}, {}", beside, g, step, shadow::describe(spec)),
                      test::onTheAxis(scene, eye, dvec3(0), 1, step, 1e-4).x, right, 0.02);
@@ -141,7 +142,8 @@ TEST(LocalLights, InsideADenseBox) {
       light.radius = 0;
       const dvec3 eye(0, 0, 4), target(0.2 / sigma, 0, 0.5);
       const double right =
-          test::exactAlong(volumes, {test::exactly(volumes, light)}, eye, glm::normalize(target - eye)).radiance.x;
+          test::exactAlong(volumes, {test::exactly(volumes, light)}, eye, glm::normalize(target - eye))
+              .radiance.x;
       view::RenderScene scene;
       scene.volumes = volumes;
       scene.lights = {test::shadowed(light, specs()[0], volumes)};
@@ -161,8 +163,8 @@ TEST(LocalLights, ASpotThatOnlyGrazesTheMedium) {
       for (const ShadowSpec& spec : specs(256)) {
         // Its axis passes beside the box; its edge goes in.
         const double half = glm::radians(cone / 2);
-        scene::Light light = test::spotAt({-3, 0.5 + 0.6 * std::tan(half) * 3, 0}, {3, 0.5 + 0.6 * std::tan(half) * 3, 0},
-                                          cone, softness);
+        scene::Light light = test::spotAt({-3, 0.5 + 0.6 * std::tan(half) * 3, 0},
+                                          {3, 0.5 + 0.6 * std::tan(half) * 3, 0}, cone, softness);
         if (cone > 100) light = test::spotAt({0, 2, 0}, {0, 4, 0}, cone, softness);
         light.emitted = vec3(50);
         light.radius = 0;
@@ -171,7 +173,8 @@ TEST(LocalLights, ASpotThatOnlyGrazesTheMedium) {
         scene.lights = {test::shadowed(light, spec, volumes)};
         for (const double x : {-1.7, -0.3, 1.6}) {
           const dvec3 eye(x, 0.45, 9), d(0, 0, -1);
-          const double right = test::exactAlong(volumes, {test::exactly(volumes, light)}, eye, d, 200).radiance.x;
+          const double right =
+              test::exactAlong(volumes, {test::exactly(volumes, light)}, eye, d, 200).radiance.x;
           for (const double step : {0.5, 1.0, 4.0})
             rows.check(fmt::format("cone {}, softness {}, x {}, step {}, {}", cone, softness, x, step,
                                    shadow::describe(spec)),

@@ -31,8 +31,8 @@ void compareRays(test::Rows& rows, const std::string& what, const volume::Instan
       const test::Exact right =
           test::exactAlong(volumes, {test::exactly(volumes, sun)}, eye, glm::normalize(target - eye));
       const dvec4 seen = test::onTheAxis(scene, eye, target, 1, 1, 1e-3);
-      const std::string row = fmt::format("{}, from ({}, {}, {}) to {}, {}", what, eye.x, eye.y, eye.z, target.x,
-                                          shadow::describe(spec));
+      const std::string row = fmt::format("{}, from ({}, {}, {}) to {}, {}", what, eye.x, eye.y, eye.z,
+                                          target.x, shadow::describe(spec));
       rows.check(row, seen.x, right.radiance.x, allowed, 1e-4);
       rows.check(row + ", alpha", seen.w, right.alpha, 0, 2e-3);
     }
@@ -97,11 +97,13 @@ TEST(Overlaps, AThousandVolumes) {
 TEST(Overlaps, MirroredAndSheared) {
   test::renderer();
   test::Rows rows("mirrored and sheared");
-  const volume::GridPtr grid = test::gridOf(24, [](ivec3 p) { return std::max(0.0f, 1 - glm::length(vec3(p) - vec3(10, 12, 13)) / 11); });
+  const volume::GridPtr grid = test::gridOf(
+      24, [](ivec3 p) { return std::max(0.0f, 1 - glm::length(vec3(p) - vec3(10, 12, 13)) / 11); });
   dmat4 shear(1.0);
   shear[1].x = 0.7, shear[2].y = -0.4;
-  for (const dmat4& m : {glm::scale(dmat4(1.0), dvec3(-1, 1, 1)), shear, shear * glm::scale(dmat4(1.0), dvec3(1, -0.5, 2)),
-                         composeTransform({0.1, 0, 0}, {20, 40, 60}, {-0.5, 1.2, -1})}) {
+  for (const dmat4& m :
+       {glm::scale(dmat4(1.0), dvec3(-1, 1, 1)), shear, shear * glm::scale(dmat4(1.0), dvec3(1, -0.5, 2)),
+        composeTransform({0.1, 0, 0}, {20, 40, 60}, {-0.5, 1.2, -1})}) {
     volume::Instance g = test::gridInstance(grid, 24, 6), b = test::box({0.1, 0, 0}, {0.8, 0.7, 0.9}, 0.7),
                      s = test::ball({-0.1, 0.1, 0}, 0.6, 0.9);
     for (auto* i : {&g, &b, &s}) i->worldFromLocal = m * i->worldFromLocal;

@@ -53,7 +53,8 @@ const volume::Instance& plume() {
           for (int x = 0; x < volume::kStoredSize; ++x) {
             const vec3 p = vec3(lo + ivec3(x, y, z));
             const float h = p.y / 127;
-            const vec3 axis(23.5f + 9 * h * std::sin(0.05f * p.y), p.y, 23.5f + 6 * h * std::cos(0.07f * p.y));
+            const vec3 axis(23.5f + 9 * h * std::sin(0.05f * p.y), p.y,
+                            23.5f + 6 * h * std::cos(0.07f * p.y));
             const float r = glm::length(p - axis) / (3 + 15 * h);
             const float d = 1 - r + 0.9f * noise(p * 0.55f) + 0.5f * noise(p * 1.3f);
             *out++ = std::clamp(d, 0.0f, 1.0f) * (1.2f - h);

@@ -47,15 +47,15 @@ TEST(ShadowStore, OneWideMapDoesNotWidenTheLayersOfNarrowOnes) {
   std::vector<BlockPtr> narrow;
   std::size_t sum = 0;
   for (int i = 0; i < 16; ++i) {
-    narrow.push_back(allocate(store, 256, 2));
+    narrow.push_back(allocate(store, 128, 2));
     sum += narrow.back()->bytes();
     fill(narrow.back(), static_cast<float>(i));
   }
   EXPECT_EQ(store.bytes(), sum);
-  const BlockPtr wide = allocate(store, 512, 2);
+  const BlockPtr wide = allocate(store, 256, 2);
   fill(wide, 100);
   sum += wide->bytes();
-  std::printf("32 layers of 256 x 256 and 2 of 512 x 512: %.1f MiB, the maps themselves %.1f MiB\n",
+  std::printf("32 layers of 128 x 128 and 2 of 256 x 256: %.1f MiB, the maps themselves %.1f MiB\n",
               double(store.bytes()) / (1 << 20), double(sum) / (1 << 20));
   EXPECT_LE(double(store.bytes()), 1.05 * double(sum));
   for (int i = 0; i < 16; ++i) expectFilled(narrow[std::size_t(i)], static_cast<float>(i));
@@ -72,9 +72,9 @@ TEST(ShadowStore, BlocksOfAnySizeKeepTheirTexelsAndNeverOverlap) {
     return int(state >> 8) % n;
   };
   float next = 1;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 60; ++i) {
     if (!blocks.empty() && random(3) == 0) blocks.erase(blocks.begin() + random(int(blocks.size())));
-    const int resolution = (8 << random(5)) - random(5), layers = 1 + random(4),
+    const int resolution = (8 << random(4)) - random(5), layers = 1 + random(4),
               faces = random(4) == 0 ? 6 : 1;
     blocks.emplace_back(allocate(store, resolution, layers, faces), next);
     fill(blocks.back().first, next++);
@@ -132,7 +132,7 @@ TEST(ShadowStore, AStoreThatCannotGrowKeepsItsMaps) {
     EXPECT_EQ(deep.error().message.find("deep shadow maps: out of GPU memory"), 0u) << deep.error().message;
   }
   {
-    const test::Faults claimed({{GL_MAX_ARRAY_TEXTURE_LAYERS, 8}});
+    const test::Faults claimed({{GL_MAX_ARRAY_TEXTURE_LAYERS, 8}}, test::Faults::kAny);
     const auto refused = store.allocate(Texels::Float, 64, 9);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("at most 8"), std::string::npos) << refused.error().message;

@@ -34,8 +34,9 @@ class Replaced {
 /// A driver with these limits (GL_MAX_...), whose GPU gives at most `bytes` at a time.
 class Faults {
  public:
-  explicit Faults(std::map<GLenum, GLint> limits, std::size_t bytes = ~std::size_t(0))
-      : limits_(std::move(limits)), bytes_(bytes) {
+  static constexpr std::size_t kAny = ~std::size_t(0);
+
+  Faults(std::map<GLenum, GLint> limits, std::size_t bytes) : limits_(std::move(limits)), bytes_(bytes) {
     self() = this;
   }
   ~Faults() { self() = nullptr; }

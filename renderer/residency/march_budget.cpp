@@ -18,8 +18,7 @@ void MarchBudget::plan(const MarchCost& cost, const gl::DeviceInfo& device, int 
 }
 
 Result<void> MarchBudget::bind(gl::Program& program, int pixels) {
-  PILEUS_CHECK(
-      states_.reserve(16 + std::size_t(pixels) * std::size_t(MARCH_STATE_BYTES(cost_.reached))));
+  PILEUS_CHECK(states_.reserve(16 + std::size_t(pixels) * std::size_t(MARCH_STATE_BYTES(cost_.reached))));
   const int none = 0;
   glNamedBufferSubData(states_.id(), 0, sizeof none, &none);
   states_.bindStorage(BIND_MARCH_STATES);

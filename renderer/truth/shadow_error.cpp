@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kRows = 16;         // of a region
 constexpr double kRegionMs = 12;  // wanted: a dispatch cannot be interrupted
-constexpr int kPairs = MAX_LIGHTS / 2;
 
 }  // namespace
 
-ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth)
+ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth,
+                                 int pairsAtOnce)
     : options_(scene.options) {
   std::vector<shadow::ShadowedLight> pairs;
   const auto close = [&] {
@@ -26,7 +26,7 @@ ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::Ren
     if (!scene.lights[i].shadow) continue;
     pairs.push_back(scene.lights[i]);
     pairs.push_back(truth.lights[i]);
-    if (pairs.size() == 2 * kPairs) close();
+    if (pairs.size() == 2 * std::size_t(pairsAtOnce)) close();
   }
   close();
   if (groups_.empty()) fraction_ = 1;

@@ -26,8 +26,10 @@ class ErrorHistogram {
 
 class ShadowErrorPass {
  public:
+  static constexpr int kPairs = MAX_LIGHTS / 2;  ///< of lights, as many as one dispatch may hold
   /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
-  ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth);
+  /// A dispatch takes `pairs` of them.
+  ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth, int pairs = kPairs);
   /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
   /// residency::MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
@@ -57,7 +59,7 @@ class ShadowErrorPass {
   Result<void> collect(ivec2 from, ivec2 to);
   Result<void> clearBins();
   view::RenderOptions options_;
-  std::vector<view::LightSet> groups_;           ///< pairs of lights, as many as one dispatch may hold
+  std::vector<view::LightSet> groups_;           ///< pairs of lights, each a dispatch
   std::vector<residency::MarchBudget> budgets_;  ///< of each group
   int pauseAfter_ = 0;
   view::CameraMarch march_;

@@ -113,6 +113,11 @@ TEST(GlObjects, AnAtlasThatCannotGrowKeepsItsVolumes) {
     EXPECT_EQ(errorOf(pass, gpu), "");
     return view::readBack(*pass.picture())->layers[0].pixels;
   };
+  // Bricks may lie elsewhere in the atlas: weights of the filter round otherwise there.
+  const auto expectLike = [](const std::vector<float>& a, const std::vector<float>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 2e-3);
+  };
   const std::vector<float> before = draw(first);
   EXPECT_GT(before[(12 * 24 + 12) * 4 + 3], 0.1f);
   const std::size_t bytes = bricks.bytes();
@@ -122,10 +127,10 @@ TEST(GlObjects, AnAtlasThatCannotGrowKeepsItsVolumes) {
     const std::string error = errorOf(pass, gpu);
     EXPECT_EQ(error.find("brick atlas: out of GPU memory"), 0u) << error;
     EXPECT_EQ(bricks.bytes(), bytes);
-    EXPECT_EQ(draw(first), before) << "the old atlas is still there";
+    expectLike(draw(first), before);  // the old atlas is still there
   }
   EXPECT_GT(draw(large)[(12 * 24 + 12) * 4 + 3], 0.1f) << "and grows once there is memory";
-  EXPECT_EQ(draw(first), before);
+  expectLike(draw(first), before);
 }
 
 TEST(GlObjects, ADeepMapOfAPointLightNeedsNoTallTexture) {

@@ -170,9 +170,11 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
   }
 
   std::size_t all = 0, done = 0;
+  bool moved = false;  // one brick at least, however little time there is
   for (auto& [key, e] : entries_) {
     if (e.lastUse != clock_) continue;
-    while (e.nextPayload < e.order.size() && (clock.ms() < ms || e.nextPayload == 0)) {
+    while (e.nextPayload < e.order.size() && (!moved || clock.ms() < ms)) {
+      moved = true;
       const std::uint32_t payload = e.order[e.nextPayload++], slot = free_.back();
       free_.pop_back();
       e.slotOfPayload[payload] = slot;

@@ -141,15 +141,18 @@ colorspaces:
 }
 
 TEST(Display, AConfigReadAnewIsNotTakenForTheOneBeforeIt) {
-  // The same file at, mostly, the same address, with another content.
+  // The same file with another content, sooner or later at an address that was used before.
   const auto path = scratchFolder() / "gain.ocio";
-  for (const double gain : {1.0, 0.5, 0.25}) {
+  for (int i = 0; i < 60; ++i) {
+    const double gain = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.5 : 0.25;
     const auto config = gainConfig(path, gain);
     ASSERT_TRUE(config);
-    EXPECT_EQ(config->key(), gainConfig(path, gain)->key());
     expectNear(shown({vec4(0.6f, 0.4f, 0.2f, 1)}, {}, *config)[0],
                vec3(0.6f, 0.4f, 0.2f) * static_cast<float>(gain));
   }
+  const auto half = gainConfig(path, 0.5), again = gainConfig(path, 0.5), whole = gainConfig(path, 1);
+  EXPECT_EQ(half->key(), again->key());
+  EXPECT_NE(half->key(), whole->key());
 }
 
 TEST(Display, LooksComeFromTheConfigAndUnknownOnesAreNamed) {

@@ -49,7 +49,9 @@ GraphPictures::Shown GraphPictures::load(std::map<std::string, Entry>& in, const
   loaded_ = true;
   const Result<image::Bitmap> bitmap = image::decodePng(bytes);
   if (!bitmap) return {};
-  entry.texture = gl::Texture(GL_TEXTURE_2D, GL_RGBA8, {bitmap->size, 1}, "thumbnail");
+  auto texture = gl::Texture::create(GL_TEXTURE_2D, GL_RGBA8, {bitmap->size, 1}, "thumbnail");
+  if (!texture) return {};
+  entry.texture = std::move(*texture);
   glTextureSubImage2D(entry.texture.id(), 0, 0, 0, bitmap->size.x, bitmap->size.y, GL_RGBA, GL_UNSIGNED_BYTE,
                       bitmap->rgba.data());
   entry.texture.filter(GL_LINEAR);

@@ -59,8 +59,11 @@ const Column kColumns[] = {
      plain},
 };
 
+/// Without a texture where memory is out.
 gl::Texture upload(ivec2 size, const std::vector<float>& rgba) {
-  gl::Texture t(GL_TEXTURE_2D, GL_RGBA32F, ivec3(size, 1), "shoot-out picture");
+  auto made = gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(size, 1), "shoot-out picture");
+  if (!made) return {};
+  gl::Texture t = std::move(*made);
   glTextureSubImage2D(t.id(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, rgba.data());
   t.filter(GL_LINEAR);
   return t;

@@ -40,7 +40,9 @@ void takeSnapshot(Messages& messages, Session& session, Shown& shown) {
   if (!picture) return messages.hint("There is no picture to keep yet.");
   if (s.all.size() >= Snapshots::kMost)
     return messages.hint(fmt::format("{} stills are kept at most: delete one first.", Snapshots::kMost));
-  s.all.push_back({freeSlot(s), fmt::format("Still {}", s.next++), timeText(), view::stillOf(*picture),
+  auto still = view::stillOf(*picture);
+  if (!still) return messages.error(still.error().message);
+  s.all.push_back({freeSlot(s), fmt::format("Still {}", s.next++), timeText(), std::move(*still),
                    session.document.root()});
   messages.note(s.all.back().name + " kept with its graph");
 }

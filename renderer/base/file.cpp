@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +17,28 @@ namespace pileus {
 namespace {
 
 std::string reason() { return std::strerror(errno); }
+
+/// Ours alone, and made so where it is not there yet: in the system's temporary folder anybody may have put
+/// something else under its name.
+bool isPrivate(const fs::path& folder) {
+  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return false;
+  struct stat st {};
+  if (::lstat(folder.c_str(), &st) != 0 || !S_ISDIR(st.st_mode) || st.st_uid != ::getuid()) return false;
+  if ((st.st_mode & 022) != 0) return false;  // what is in it may be another's
+  return (st.st_mode & 077) == 0 || ::chmod(folder.c_str(), 0700) == 0;
+}
+
+fs::path temporaryFolder(const std::string& name) {
+  constexpr int kTries = 16;
+  std::error_code ec;
+  const fs::path base = fs::temp_directory_path(ec) / name;
+  for (int i = 0; i < kTries; ++i)
+    if (const fs::path folder = i == 0 ? base : fs::path(base.string() + fmt::format("-{}", i));
+        isPrivate(folder))
+      return folder;
+  std::string fresh = base.string() + "-XXXXXX";
+  return ::mkdtemp(fresh.data()) ? fs::path(fresh) : base;
+}
 
 fs::path xdgFolder(const char* variable, const char* underHome) {
   std::error_code ec;
@@ -29,11 +53,9 @@ fs::path xdgFolder(const char* variable, const char* underHome) {
         fs::is_directory(folder, ec) && ::access(folder.c_str(), W_OK) == 0)
       return folder;
   }
-  const fs::path folder =
-      fs::temp_directory_path(ec) /
-      fmt::format("pileus-{}{}", ::getuid(), underHome[0] == '.' ? underHome + 1 : underHome);
-  fs::create_directories(folder, ec);
-  return folder;
+  std::string name = fmt::format("pileus-{}-{}", ::getuid(), underHome + 1);
+  std::replace(name.begin(), name.end(), '/', '-');
+  return temporaryFolder(name);
 }
 
 }  // namespace
@@ -54,6 +76,18 @@ Result<std::string> readFile(const fs::path& path, std::size_t maxBytes) {
   return content;
 }
 
+Temporary createTemporary(const fs::path& target, unsigned mode) {
+  constexpr int kTries = 1000;
+  static std::atomic<int> counter{0};
+  Temporary out;
+  for (int i = 0; out.fd < 0 && i < kTries; ++i) {
+    out.path = target.string() + fmt::format(".tmp{}-{}", ::getpid(), counter++);
+    out.fd = ::open(out.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    if (out.fd < 0 && errno != EEXIST) break;
+  }
+  return out;
+}
+
 Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
   // A link stays a link: what it names is replaced.
   std::error_code ec;
@@ -62,8 +96,7 @@ Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
     if (const fs::path real = fs::canonical(path, ec); !ec) path = real;
   struct stat old {};
   const mode_t mode = ::stat(path.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
-  const fs::path temporary = path.string() + fmt::format(".tmp{}", ::getpid());
-  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode | 0200);
+  const auto [fd, temporary] = createTemporary(path, mode | 0200);
   if (fd < 0) return fail(Code::Input, "{}: cannot be written ({})", path.string(), reason());
   std::size_t done = 0;
   bool ok = true;

@@ -11,6 +11,14 @@ namespace pileus {
 
 /// The whole file. Error (Input) names the path and the reason.
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t(1) << 30);
+/// A file beside `target` that was not there before, open for writing (-1: errno says why not); to be renamed
+/// or removed. Its name begins with the target's, ".tmp" and the process's number. No link is followed and
+/// nobody else's file is taken.
+struct Temporary {
+  int fd = -1;
+  std::filesystem::path path;
+};
+Temporary createTemporary(const std::filesystem::path& target, unsigned mode);
 /// Temporary file beside the target, fsync, rename: the target is the old content or the new, never a part.
 /// Keeps the target's permissions, and a link a link.
 Result<void> writeFileAtomic(const std::filesystem::path& target, std::string_view content);
@@ -18,7 +26,7 @@ Result<void> writeFileAtomic(const std::filesystem::path& target, std::string_vi
 /// file: a key of its path.
 Key fileStamp(const std::filesystem::path& path);
 /// $XDG_CACHE_HOME/pileus or ~/.cache/pileus, created; falls back to a folder under the system's temporary
-/// one.
+/// one that nobody else can look into or has had a hand in.
 std::filesystem::path cacheFolder();
 /// $XDG_CONFIG_HOME/pileus or ~/.config/pileus, created; same fallback.
 std::filesystem::path configFolder();

@@ -1,9 +1,11 @@
 #pragma once
 // Cancellable background work. A Job runs once on its own thread; destroying it cancels and joins.
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string>
 #include <thread>
@@ -30,13 +32,27 @@ class JobControl {
 void setJobNotifier(std::function<void()> notifier);
 void notifyJobs();
 
+/// Runs `work`; what a library throws in it becomes an Error: the thread it runs on has nobody to catch it.
+template <class T, class Work>
+Result<T> withoutThrowing(Work& work, JobControl& control) {
+  try {
+    return work(control);
+  } catch (const std::bad_alloc&) {
+    return fail(Code::Input, "out of memory: close other programs, or make it smaller");
+  } catch (const std::exception& e) {
+    return fail(Code::Internal, "{}", e.what());
+  } catch (...) {
+    return fail(Code::Internal, "it was ended by an unknown exception");
+  }
+}
+
 template <class T>
 class Job {
  public:
   template <class Work>  // Result<T>(JobControl&)
   explicit Job(Work work) : control_(std::make_unique<JobControl>()) {
     thread_ = std::thread([this, work = std::move(work)] {
-      Result<T> r = work(*control_);
+      Result<T> r = withoutThrowing<T>(work, *control_);
       {
         const std::lock_guard lock(mutex_);
         result_.emplace(std::move(r));

@@ -13,22 +13,25 @@ namespace {
 
 constexpr std::size_t kHistory = 2000;
 
+std::shared_ptr<spdlog::logger> makePrinter() {
+  auto printer =
+      std::make_shared<spdlog::logger>("pileus", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+  printer->set_pattern("%^%l:%$ %v");
+  printer->set_level(spdlog::level::warn);
+  return printer;
+}
+
+/// Whole before any thread sees it.
 struct State {
   std::mutex mutex;
   std::deque<Line> lines;
   std::array<std::size_t, 4> counts{};
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::shared_ptr<spdlog::logger> printer;
+  const std::shared_ptr<spdlog::logger> printer = makePrinter();
 };
 
 State& state() {
   static State s;
-  if (!s.printer) {
-    s.printer =
-        std::make_shared<spdlog::logger>("pileus", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
-    s.printer->set_pattern("%^%l:%$ %v");
-    s.printer->set_level(spdlog::level::warn);
-  }
   return s;
 }
 

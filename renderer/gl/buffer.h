@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/base/result.h"
+
 namespace pileus::gl {
 
 class Buffer {
@@ -31,14 +33,14 @@ class Buffer {
   }
 
   /// Replaces the content; storage is reused while it is large enough. An empty span still leaves a bindable
-  /// buffer.
-  void assign(const void* data, std::size_t bytes);
+  /// buffer. Error (Gpu) where memory is out: the buffer is empty then.
+  Result<void> assign(const void* data, std::size_t bytes);
   template <class T>
-  void assign(std::span<const T> data) {
-    assign(data.data(), data.size_bytes());
+  Result<void> assign(std::span<const T> data) {
+    return assign(data.data(), data.size_bytes());
   }
-  /// At least `bytes` of storage, content undefined.
-  void reserve(std::size_t bytes);
+  /// At least `bytes` of storage, content undefined. Errors as assign().
+  Result<void> reserve(std::size_t bytes);
   void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_); }
   void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_); }
   /// As a buffer texture of that format (always the same one for a buffer).

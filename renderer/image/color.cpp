@@ -82,6 +82,7 @@ void addTextures(const OCIO::GpuShaderDesc& shader, std::vector<LutTexture>& out
 struct ColorConfig::Impl {
   OCIO::ConstConfigRcPtr config;
   std::string description;
+  Key key;
   ColorSource source;
   std::vector<Display> displays;
   std::vector<std::string> looks;
@@ -192,6 +193,7 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::read(const std::string& 
       impl->config = OCIO::Config::CreateFromFile(file.c_str());
     }
     const OCIO::Config& config = *impl->config;
+    impl->key = Hasher().add(std::string_view(config.getCacheID())).add(std::string_view(name)).key();
     impl->source = chooseColorSource(config);
     impl->description = impl->source.note.empty() ? name : name + ": " + impl->source.note;
     for (int i = 0; i < config.getNumLooks(); ++i) impl->looks.emplace_back(config.getLookNameByIndex(i));
@@ -221,6 +223,7 @@ Result<std::shared_ptr<const ColorConfig>> ColorConfig::read(const std::string& 
 }
 
 std::string ColorConfig::description() const { return impl_->description; }
+const Key& ColorConfig::key() const { return impl_->key; }
 
 std::vector<std::string> ColorConfig::displays() const {
   std::vector<std::string> names;

@@ -39,6 +39,8 @@ class ColorConfig {
   ~ColorConfig();
 
   std::string description() const;  ///< name or path, for the interface
+  /// Of what it says and of the files it names: equal for the same config read twice.
+  const Key& key() const;
   std::vector<std::string> displays() const;
   std::vector<std::string> views(const std::string& display) const;
   std::string defaultDisplay() const;

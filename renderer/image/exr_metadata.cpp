@@ -4,12 +4,14 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include "renderer/image/exr.h"
+#include "renderer/image/exr_limits.h"
 #include "renderer/image/reason.h"
 
 namespace pileus::image {
 
 Result<std::map<std::string, std::string>> readExrMetadata(const std::filesystem::path& path) {
   std::map<std::string, std::string> out;
+  limitHeaders();
   try {
     std::error_code ec;
     if (!std::filesystem::is_regular_file(path, ec))

@@ -13,10 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <new>
 
 #include "renderer/image/exr.h"
+#include "renderer/image/exr_limits.h"
 #include "renderer/image/reason.h"
 
 namespace fs = std::filesystem;
@@ -26,12 +26,10 @@ namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t(1) << 28;
 constexpr std::int64_t kMostSamples = std::int64_t(1) << 30;
-constexpr int kLongestSide = 1 << 20, kLongestTileSide = 1 << 14;
 constexpr std::int64_t kLargestTile = std::int64_t(1)
                                       << 28;  // bytes; whole tiles are held, however small the picture
 constexpr int kMostChannels = 1024;
-// A constant picture in DWAA is packed about 2^16 : 1; nothing honest exceeds this.
-constexpr std::int64_t kLargestRatio = 1 << 18, kSmallPicture = std::int64_t(1) << 26;
+constexpr std::int64_t kSmallPicture = std::int64_t(1) << 22;  // bytes; not worth a closer look
 
 /// Where one channel of the file goes.
 struct Route {
@@ -170,7 +168,8 @@ Result<void> checkSizes(const Imf::Header& header, std::int64_t fileBytes) {
     chunks = (height + lines - 1) / lines;
   }
   if (chunks * (8 + chunkHeader) > fileBytes ||
-      width * height * bytesPerPixel > std::max(kSmallPicture, fileBytes * kLargestRatio))
+      width * height * bytesPerPixel >
+          std::max(kSmallPicture, fileBytes * largestRatio(header.compression())))
     return fail(Code::Input,
                 "the file is too short ({} bytes) for its {} x {} pixels; it is cut off or damaged",
                 fileBytes, width, height);
@@ -245,11 +244,7 @@ Result<Image> readExr(const fs::path& path) {
   if (!fs::is_regular_file(status)) return fail(Code::Input, "{}: is not a file", path.string());
   const auto bytes = static_cast<std::int64_t>(fs::file_size(path, ec));
   if (ec) return fail(Code::Input, "{}: cannot be read ({})", path.string(), ec.message());
-  static std::once_flag limits;  // checked by the library before it allocates anything for a header
-  std::call_once(limits, [] {
-    Imf::Header::setMaxImageSize(kLongestSide, kLongestSide);
-    Imf::Header::setMaxTileSize(kLongestTileSide, kLongestTileSide);
-  });
+  limitHeaders();
   try {
     auto image = readPart(path, bytes);
     if (!image) return fail(image.error().code, "{}: {}", path.string(), image.error().message);

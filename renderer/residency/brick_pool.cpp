@@ -49,11 +49,9 @@ BrickPool::BrickPool(const gl::DeviceInfo& device, std::size_t budgetBytes)
       std::bit_floor(std::max<std::size_t>(budgetBytes / (std::size_t(edge) * std::size_t(edge)), 32));
   maxLayers_ = std::min(depth, std::size_t(most)) / kStoredSize;
   maxSlots_ = std::size_t(slots_.x) * std::size_t(slots_.y) * maxLayers_;
-  reserveSlots(1);
-  rebuildTables();
 }
 
-bool BrickPool::reserveSlots(std::size_t count) {
+Result<bool> BrickPool::reserveSlots(std::size_t count) {
   if (free_.size() >= count) return true;
   const std::size_t layer = std::size_t(slots_.x) * std::size_t(slots_.y);
   const std::size_t have = layer * std::size_t(slots_.z), needed = have + (count - free_.size());
@@ -61,7 +59,8 @@ bool BrickPool::reserveSlots(std::size_t count) {
   const std::size_t depth = std::bit_ceil((needed + layer - 1) / layer * kStoredSize);
   const int edge = int(std::bit_ceil(unsigned(slots_.x * kStoredSize)));
   const std::size_t layers = depth / kStoredSize;
-  gl::Texture grown(GL_TEXTURE_3D, GL_R8, ivec3(edge, edge, int(depth)), "brick atlas");
+  PILEUS_TRY(gl::Texture grown,
+             gl::Texture::create(GL_TEXTURE_3D, GL_R8, ivec3(edge, edge, int(depth)), "brick atlas"));
   grown.filter(GL_LINEAR);
   // llvmpipe filters R8 in 8 bits with CLAMP_TO_EDGE; with a border it filters in float.
   grown.wrap(GL_CLAMP_TO_BORDER);
@@ -85,6 +84,10 @@ void BrickPool::release(Entry& entry) {
 
 Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, double ms) {
   const Stopwatch clock;
+  if (!atlas_) {
+    PILEUS_CHECK(reserveSlots(1));
+    PILEUS_CHECK(rebuildTables());
+  }
   ++clock_;
   std::vector<const volume::BrickGrid*> wanted;
   std::vector<volume::GridPtr> owners;
@@ -146,14 +149,20 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
     if (e.lastUse == clock_) missing += e.order.size() - e.nextPayload;
   std::size_t allPages = 0;
   for (const auto& [key, e] : entries_) allPages += pages(*e.grid);
-  while (allPages > device_.maxBufferTexels || (missing > 0 && !reserveSlots(missing))) {
+  while (true) {
+    const Result<bool> room = missing > 0 ? reserveSlots(missing) : Result<bool>(true);
+    if (room && *room && allPages <= device_.maxBufferTexels) break;
     auto oldest = entries_.end();
     for (auto it = entries_.begin(); it != entries_.end(); ++it)
       if (it->second.lastUse < clock_ &&
           (oldest == entries_.end() || it->second.lastUse < oldest->second.lastUse))
         oldest = it;
-    if (oldest == entries_.end())
+    if (oldest == entries_.end()) {
+      // What is there stays, and the tables speak of it alone.
+      if (changed) PILEUS_CHECK(rebuildTables());
+      if (!room) return room.error();
       return fail(Code::Gpu, "the brick pool is full ({} MiB)", out.budgetBytes >> 20);
+    }
     allPages -= pages(*oldest->second.grid);
     release(oldest->second);
     entries_.erase(oldest);
@@ -161,9 +170,11 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
   }
 
   std::size_t all = 0, done = 0;
+  bool moved = false;  // one brick at least, however little time there is
   for (auto& [key, e] : entries_) {
     if (e.lastUse != clock_) continue;
-    while (e.nextPayload < e.order.size() && (clock.ms() < ms || e.nextPayload == 0)) {
+    while (e.nextPayload < e.order.size() && (!moved || clock.ms() < ms)) {
+      moved = true;
       const std::uint32_t payload = e.order[e.nextPayload++], slot = free_.back();
       free_.pop_back();
       e.slotOfPayload[payload] = slot;
@@ -177,12 +188,12 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
     all += e.order.size();
     done += e.nextPayload;
   }
-  if (changed) rebuildTables();
+  if (changed) PILEUS_CHECK(rebuildTables());
   out.fraction = all == 0 ? 1.0 : double(done) / double(all);
   return out;
 }
 
-void BrickPool::rebuildTables() {
+Result<void> BrickPool::rebuildTables() {
   ++generation_;
   std::vector<uvec4> pages;
   for (auto& [key, e] : entries_) {
@@ -201,7 +212,7 @@ void BrickPool::rebuildTables() {
       }
     }
   }
-  pages_.assign(std::span<const uvec4>(pages));
+  return pages_.assign(std::span<const uvec4>(pages));
 }
 
 const ResidentGrid* BrickPool::find(const volume::BrickGrid& grid) const {

@@ -57,8 +57,9 @@ class BrickPool {
     std::uint64_t lastUse = 0;
   };
   void release(Entry& entry);
-  bool reserveSlots(std::size_t count);
-  void rebuildTables();
+  /// False where the budget has no room. Error (Gpu) where the GPU has none: all stays as it is.
+  Result<bool> reserveSlots(std::size_t count);
+  Result<void> rebuildTables();
 
   gl::DeviceInfo device_;
   std::size_t budget_;

@@ -12,20 +12,23 @@ static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535
 void MarchBudget::plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane) {
   cost_ = cost;
   dispatched_ = 0;
-  lane_ = lane == kNever ? 0 : lane > 0 ? lane : device.software && cost.pixel > kOneDispatch ? kLane : 0;
+  const int lanes = lane == kNever ? 0 : lane > 0 ? lane : cost.pixel > kOneDispatch ? kLane : 0;
+  pace_ = {lanes, lanes, lanes};
+  if (lanes > 0 && lane == 0 && !device.software) pace_.least = kLeastLane, pace_.most = kMostLane;
 }
 
-void MarchBudget::bind(gl::Program& program, int pixels) {
-  states_.reserve(16 + std::size_t(pixels) * std::size_t(MARCH_STATE_BYTES(cost_.reached)));
+Result<void> MarchBudget::bind(gl::Program& program, int pixels) {
+  PILEUS_CHECK(states_.reserve(16 + std::size_t(pixels) * std::size_t(MARCH_STATE_BYTES(cost_.reached))));
   const int none = 0;
   glNamedBufferSubData(states_.id(), 0, sizeof none, &none);
   states_.bindStorage(BIND_MARCH_STATES);
   program.set("dispatchIndex", dispatched_++);
   // Every dispatch gets at least one piece of work done, whatever its lists cost.
-  program.set("budget", std::max(lane_, 2 * (cost_.stretch + cost_.step + cost_.sample) + 1));
+  program.set("budget", std::max(pace_.now, 2 * (cost_.stretch + cost_.step + cost_.sample) + 1));
   program.set("stretchCost", cost_.stretch);
   program.set("stepCost", cost_.step);
   program.set("sampleCost", cost_.sample);
+  return {};
 }
 
 int MarchBudget::unfinished() {

@@ -1,6 +1,8 @@
 #pragma once
 // How every pass runs that works through volumes region by region: their bricks made resident, lists of them
 // per tile, then for each region a dispatch, or several where its marches pause. On every device; GL thread.
+#include <utility>
+
 #include "renderer/gl/gpu_timer.h"
 #include "renderer/gl/region_cursor.h"
 #include "renderer/residency/march_budget.h"
@@ -30,13 +32,15 @@ class RegionRun {
   /// One dispatch in groups of 8 x 8 over pixels [from, to): uniforms regionOrigin and regionEnd, and those
   /// of the budget. Timed and waited for; whatever reads what it wrote may come behind it. False: marches
   /// paused, and the same region has to be dispatched again.
-  bool dispatch(gl::Program& program, ivec2 from, ivec2 to, MarchBudget* budget = nullptr);
+  Result<bool> dispatch(gl::Program& program, ivec2 from, ivec2 to, MarchBudget* budget = nullptr);
   /// The region at the cursor.
-  bool dispatch(gl::Program& program, MarchBudget* budget = nullptr) {
+  Result<bool> dispatch(gl::Program& program, MarchBudget* budget = nullptr) {
     return dispatch(program, cursor.origin(), cursor.end(), budget);
   }
 
-  gl::RegionCursor cursor;  ///< the caller's to set and to move
+  gl::RegionCursor cursor;  ///< the caller's to set
+  /// Behind all dispatches of the region at the cursor.
+  void advance() { cursor.advance(std::exchange(longestMs_, 0.0)); }
   const volume::InstanceList& volumes() const { return set_.instances(); }
   int shapes() const { return set_.shapes(); }
   int longestList() const { return tiles_.longest(); }
@@ -51,7 +55,7 @@ class RegionRun {
   VolumeSet set_;
   TileLists tiles_;
   gl::GpuTimer timer_;
-  double gpuMs_ = 0;
+  double gpuMs_ = 0, longestMs_ = 0;  ///< the latter of a dispatch of this region
   int dispatches_ = 0;
 };
 

@@ -38,8 +38,7 @@ Result<void> SceneTable::layOut() {
     part.changed = true;
     end += part.room;
   }
-  buffer_.reserve(end * sizeof(uvec4));
-  return {};
+  return buffer_.reserve(end * sizeof(uvec4));
 }
 
 Result<void> SceneTable::bind(gl::Program& program) {

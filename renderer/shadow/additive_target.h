@@ -21,7 +21,9 @@ class AdditiveTarget {
 
  private:
   GLuint framebuffer_ = 0, vertices_ = 0;
-  GLint viewport_[4], bound_ = 0;
+  GLint viewport_[4], scissor_[4], bound_ = 0, boundVertices_ = 0;
+  GLint equations_[2], factors_[4];
+  bool enabled_[5];
 };
 
 }  // namespace pileus::shadow

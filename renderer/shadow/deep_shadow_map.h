@@ -36,7 +36,7 @@ class DeepShadowPass {
   MapPass pass_;
   std::shared_ptr<ShadowMap> map_;
   std::optional<OrderedMarch> march_;
-  gl::Texture counts_;
+  gl::Texture counts_;  ///< a layer for each face: one tall texture would soon be beyond what drivers hold
   DeepStatistics statistics_;
 };
 

@@ -9,16 +9,10 @@
 #include "renderer/shadow/new_map.h"
 
 namespace pileus::shadow {
-namespace {
-
-constexpr int kSoftwareEdge = 64;  // of a region
-
-}  // namespace
-
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,
                                const volume::InstanceList& volumes, const LightFrustum& frustum)
     : options_(options),
-      pass_(volumes, frustum, options.resolution, kSoftwareEdge),
+      pass_(volumes, frustum, options.resolution),
       map_(newMap(ShadowMap::Kind::Extinction, {}, light, pass_.volumes(), {}, frustum)) {
   map_->basis = options.basis == Basis::Piecewise ? Basis::Cosine : options.basis;  // no intervals
   map_->coefficients = options.coefficients;
@@ -65,7 +59,7 @@ Result<double> ExtinctionPass::step(const Gpu& gpu, double ms) {
   PILEUS_TRY(const double resident, pass_.prepare(gpu, ms));
   if (resident < 1) return 0.3 * resident;
   if (!map_->block) PILEUS_CHECK(allocate(gpu));
-  pass_.bindLight(*map_);
+  PILEUS_CHECK(pass_.bindLight(*map_));
   const int volumes = int(pass_.volumes().size());
   while (splats() && splatted_ < std::max(volumes, 1)) {
     PILEUS_CHECK(splat(gpu));
@@ -101,24 +95,23 @@ gl::Defines ExtinctionPass::defines() const {
           {"SHAPES", pass_.shapes()}};
 }
 
-int ExtinctionPass::batch(const Gpu& gpu) const {
-  // llvmpipe ends all loops of an invocation once they have run 65535 times in total. A volume costs at most
-  // two iterations a step; lanes that find their steps at different places wait for each other, which the
-  // room left here is for.
+int ExtinctionPass::batch() const {
+  // llvmpipe ends all loops of an invocation once they have run 65535 times in total, and a GPU must not be
+  // held for seconds. A volume costs at most two iterations a step; lanes that find their steps at different
+  // places wait for each other, which the room left here is for.
   constexpr double kOneDispatch = 20000;
-  if (!gpu.device.software) return 0;
   const int volumes = std::max(1, static_cast<int>(kOneDispatch / (2 * mostSteps(pass_.volumes()))));
   return volumes < pass_.longestList() ? volumes : 0;
 }
 
 Result<void> ExtinctionPass::gather(const Gpu& gpu) {
-  const int volumes = batch(gpu), batches = volumes > 0 ? (pass_.longestList() + volumes - 1) / volumes : 1;
+  const int volumes = batch(), batches = volumes > 0 ? (pass_.longestList() + volumes - 1) / volumes : 1;
   gl::Defines variant = defines();
   variant.push_back({"BATCHED", volumes > 0});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"shadow/extinction_map.comp.glsl"}, variant));
   if (volumes > 0) {
-    constexpr std::size_t kTexels = kSoftwareEdge * kSoftwareEdge;
-    sums_.reserve(kTexels * static_cast<std::size_t>(options_.coefficients + 2) * sizeof(float));
+    PILEUS_CHECK(
+        sums_.reserve(pass_.threads() * static_cast<std::size_t>(options_.coefficients + 2) * sizeof(float)));
     sums_.bindStorage(BIND_MARCH_STATES);
   }
   glBindImageTexture(IMAGE_TARGET, map_->block->texture(), 0, GL_TRUE, 0, GL_WRITE_ONLY,
@@ -140,6 +133,7 @@ Result<void> ExtinctionPass::splat(const Gpu& gpu) {
              gpu.shaders.program({"shadow/extinction_splat.vert.glsl", "shadow/extinction_splat.frag.glsl"},
                                  defines()));
   if (splatted_ == 0) bounds_ = mapBounds(pass_.volumes(), map_->frustum, edge, pass_.faceStride());
+  if (splatted_ == 0 && !gpu.device.software) rows_ = {gl::RegionCursor::kTile, 1, edge};
   AdditiveTarget target;
   for (int face = 0; face < block.kind.z; ++face) {
     target.attach(map_->block->texture(), block.place.w + face * layers, layers, ivec2(block.place), edge,
@@ -149,16 +143,22 @@ Result<void> ExtinctionPass::splat(const Gpu& gpu) {
         bounds_[std::size_t(face) * pass_.volumes().size() + std::size_t(splatted_)];
     if (b.min.x >= b.max.x || b.min.y >= b.max.y) continue;
     const ivec2 origin = ivec2(block.place) + b.min - ivec2(0, face * pass_.faceStride());
-    glScissor(origin.x, origin.y, b.max.x - b.min.x, b.max.y - b.min.y);
     PILEUS_CHECK(pass_.bind(gpu, *program));
     program->set("item", splatted_);
     program->set("face", face);
     program->set("blockOrigin", ivec2(block.place));
-    pass_.timer().begin();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    pass_.timer().end();
+    const ivec2 size = b.max - b.min;
+    for (int y = 0, rows = 0; y < size.y; y += rows) {
+      const Stopwatch clock;
+      rows = std::min(rows_.now, size.y - y);
+      glScissor(origin.x, origin.y + y, size.x, rows);
+      pass_.timer().begin();
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+      pass_.timer().end();
+      glFinish();
+      rows_.took(clock.ms());
+    }
   }
-  glFinish();
   return {};
 }
 

@@ -26,7 +26,7 @@ class ExtinctionPass {
   Result<void> allocate(const Gpu& gpu);
   gl::Defines defines() const;
   /// Volumes one dispatch may project on a texel; 0: all there are.
-  int batch(const Gpu& gpu) const;
+  int batch() const;
   Result<void> gather(const Gpu& gpu);
   Result<void> splat(const Gpu& gpu);
   Result<void> mark(const Gpu& gpu);
@@ -37,6 +37,7 @@ class ExtinctionPass {
   std::shared_ptr<ShadowMap> map_;
   gl::Buffer sums_{"extinction sums"};          ///< of a region's texels, between batches
   int splatted_ = 0;                            ///< volumes drawn so far
+  gl::Pace rows_{1 << 20, 1 << 20, 1 << 20};    ///< of a volume that are drawn at once
   std::vector<residency::PixelBounds> bounds_;  ///< of all volumes on the map, for splatting
 };
 

@@ -74,11 +74,11 @@ double mostSteps(const volume::InstanceList& volumes) {
 }
 
 MapPass::MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution,
-                 int softwareEdge)
+                 int softwareTiles)
     : volumes_(residency::canonical(volumes)),
       frustum_(frustum),
       resolution_(resolution),
-      softwareEdge_(softwareEdge) {}
+      softwareTiles_(softwareTiles) {}
 
 Result<double> MapPass::prepare(const Gpu& gpu, double ms) {
   PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, volumes_, ms, origin()));
@@ -86,17 +86,18 @@ Result<double> MapPass::prepare(const Gpu& gpu, double ms) {
   if (!ready_) {
     run_.list(tallSize(), mapBounds(run_.volumes(), frustum_, resolution_, faceStride()),
               std::max(int(volumes_.size()), 1));
-    run_.cursor = gl::RegionCursor(tallSize(), gpu.device, softwareEdge_);
+    run_.cursor = gl::RegionCursor(tallSize(), gpu.device, softwareTiles_);
     ready_ = true;
   }
   return 1.0;
 }
 
-void MapPass::bindLight(const ShadowMap& map) {
+Result<void> MapPass::bindLight(const ShadowMap& map) {
   const gpu::LightRecord record = makeRecord(map.light, &map, origin());
-  record_.reserve(MAX_LIGHTS * sizeof record);
-  record_.assign(&record, sizeof record);
+  PILEUS_CHECK(record_.reserve(MAX_LIGHTS * sizeof record));
+  PILEUS_CHECK(record_.assign(&record, sizeof record));
   record_.bindUniform(BIND_LIGHTS);
+  return {};
 }
 
 Result<void> MapPass::bind(const Gpu& gpu, gl::Program& program) {
@@ -114,7 +115,7 @@ Result<void> MapPass::bind(const Gpu& gpu, gl::Program& program) {
 
 Result<void> MapPass::dispatch(const Gpu& gpu, gl::Program& program) {
   PILEUS_CHECK(bind(gpu, program));
-  run_.dispatch(program);
+  PILEUS_CHECK(run_.dispatch(program));
   return {};
 }
 

@@ -12,30 +12,33 @@ struct ShadowMap;
 
 class MapPass {
  public:
-  /// `softwareEdge`: edge of a region on a CPU, where a dispatch cannot be interrupted.
-  MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution, int softwareEdge);
+  /// `softwareTiles`: of a region on a CPU.
+  MapPass(const volume::InstanceList& volumes, const LightFrustum& frustum, int resolution,
+          int softwareTiles = 1);
 
   /// Uploads bricks for about `ms` milliseconds; 1 = all there, and tile lists are built.
   Result<double> prepare(const Gpu& gpu, double ms);
   /// The record of a light with `map` as its shadow, for the shaders of this pass.
-  void bindLight(const ShadowMap& map);
+  Result<void> bindLight(const ShadowMap& map);
   /// Binds volumes, tiles, store and the uniforms of lib/map_texel.glsl, and dispatches the region at the
   /// cursor in groups of 8 x 8.
   Result<void> dispatch(const Gpu& gpu, gl::Program& program);
   /// The same bindings without a dispatch, for passes that draw.
   Result<void> bind(const Gpu& gpu, gl::Program& program);
   bool done() const { return run_.cursor.done(); }
-  void next() { ++run_.cursor.next; }
-  void restart() { run_.cursor.next = 0; }
-  void finish() { run_.cursor.next = run_.cursor.count(); }
-  double fraction() const { return double(run_.cursor.next) / run_.cursor.count(); }
+  void next() { run_.advance(); }  ///< behind all dispatches of a region
+  void restart() { run_.cursor.restart(); }
+  void finish() { run_.cursor.finish(); }
+  double fraction() const { return run_.cursor.fraction(); }
   ivec2 regionOrigin() const {
     return run_.cursor.origin();
   }  ///< in the tall map, of the region at the cursor
   ivec2 regionEnd() const { return run_.cursor.end(); }
-  ivec2 regionSize() const {
-    return ivec2((run_.cursor.edge + 7) / 8 * 8);
-  }  ///< threads of the largest dispatch
+  /// Threads of a dispatch over the region at the cursor.
+  std::size_t threads() const {
+    const ivec2 groups = (regionEnd() - regionOrigin() + 7) / 8;
+    return std::size_t(groups.x * 8) * std::size_t(groups.y * 8);
+  }
   double takeGpuMs() { return run_.takeGpuMs(); }
   gl::GpuTimer& timer() { return run_.timer(); }
 
@@ -58,7 +61,7 @@ class MapPass {
  private:
   volume::InstanceList volumes_;
   LightFrustum frustum_;
-  int resolution_, softwareEdge_;
+  int resolution_, softwareTiles_;
   residency::RegionRun run_;
   gl::Buffer record_{"light record"};
   bool ready_ = false;

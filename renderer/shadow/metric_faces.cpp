@@ -15,8 +15,10 @@ Result<void> drawMetricFaces(const Gpu& gpu, const MetricOptions& options, MapPa
                                  {{"METRIC", metric}, {"TERMS", options.coefficients}}));
   // Half maps are summed in float and rounded once.
   gl::Texture sum;
-  if (block.texels() != Texels::Float)
-    sum = gl::Texture(GL_TEXTURE_2D_ARRAY, GL_RGBA32F, ivec3(ivec2(edge), layers), "metric sum");
+  if (block.texels() != Texels::Float) {
+    PILEUS_TRY(
+        sum, gl::Texture::create(GL_TEXTURE_2D_ARRAY, GL_RGBA32F, ivec3(ivec2(edge), layers), "metric sum"));
+  }
   AdditiveTarget target;
   for (int face = 0; face < block.faces(); ++face) {
     const int first = record.place.w + face * layers;

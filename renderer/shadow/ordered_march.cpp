@@ -22,20 +22,18 @@ double iterations(const MapPass& pass, int halves) {
 
 }  // namespace
 
-OrderedMarch::OrderedMarch(const Gpu& gpu, const MapPass& pass, int halves, int floats) {
-  if (gpu.device.software && !pass.volumes().empty())
+OrderedMarch::OrderedMarch(const MapPass& pass, int halves, int floats) : floats_(floats) {
+  if (!pass.volumes().empty())
     windows_ = std::clamp(int(std::ceil(iterations(pass, halves) / kOneDispatch)), 1, 4096);
   defines_ = pass.defines();
   defines_.insert(defines_.end(), {{"STEP_HALVES", halves}, {"WINDOWED", windows_ > 1}});
-  const ivec2 region = pass.regionSize();
-  if (windows_ > 1)
-    states_.reserve(std::size_t(region.x) * std::size_t(region.y) * std::size_t(floats) * sizeof(float));
 }
 
 gl::Defines OrderedMarch::defines() const { return defines_; }
 
 Result<void> OrderedMarch::run(const Gpu& gpu, MapPass& pass, gl::Program& program) {
   if (windows_ == 1) return pass.dispatch(gpu, program);
+  PILEUS_CHECK(states_.reserve(pass.threads() * std::size_t(floats_) * sizeof(float)));
   states_.bindStorage(BIND_MARCH_STATES);
   for (int w = 0; w < windows_; ++w) {
     program.set("window", ivec2(w, windows_));

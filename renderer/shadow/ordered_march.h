@@ -1,7 +1,8 @@
 #pragma once
 // Passes that step through all volumes of a light ray in order (lib/ordered_march.glsl). llvmpipe ends all
-// loops of an invocation once they have run 65535 times in total, so on a CPU long marches are cut into
-// windows along the ray, a dispatch each; what a texel has found so far waits in a buffer. GL thread.
+// loops of an invocation once they have run 65535 times in total, and a GPU must not be held for seconds:
+// long marches are cut into windows along the ray, a dispatch each; what a texel has found so far waits in a
+// buffer. GL thread.
 #include "renderer/shadow/map_pass.h"
 
 namespace pileus::shadow {
@@ -10,7 +11,7 @@ class OrderedMarch {
  public:
   /// Steps of `halves` half voxels; `floats`: what a texel keeps between windows. After MapPass::prepare()
   /// said 1.
-  OrderedMarch(const Gpu& gpu, const MapPass& pass, int halves, int floats);
+  OrderedMarch(const MapPass& pass, int halves, int floats);
   /// Variant constants of lib/ordered_march.glsl.
   gl::Defines defines() const;
   /// All windows of the region at the pass's cursor.
@@ -19,7 +20,7 @@ class OrderedMarch {
 
  private:
   gl::Defines defines_;
-  int windows_ = 1;
+  int windows_ = 1, floats_ = 0;
   gl::Buffer states_{"march states"};
 };
 

@@ -16,7 +16,7 @@ int metricFloats(const MetricOptions& o) {
 
 PseudometricPass::PseudometricPass(const MetricOptions& options, const scene::Light& light,
                                    const volume::InstanceList& volumes, const LightFrustum& frustum)
-    : map_(std::make_shared<PseudometricMap>()), pass_(volumes, frustum, options.resolution, 256) {
+    : map_(std::make_shared<PseudometricMap>()), pass_(volumes, frustum, options.resolution, 16) {
   map_->options = options;
   map_->light = light;
   map_->volumes = pass_.volumes();
@@ -48,7 +48,7 @@ Result<double> PseudometricPass::step(const Gpu& gpu, double ms) {
   asMap.light = map_->light;
   asMap.metric = map_;
   asMap.frustum = map_->frustum;
-  pass_.bindLight(asMap);
+  PILEUS_CHECK(pass_.bindLight(asMap));
   if (map_->options.metric != Metric::Interval) {
     PILEUS_CHECK(drawMetricFaces(gpu, map_->options, pass_, *map_->block));
     pass_.finish();

@@ -5,26 +5,71 @@
 #include <map>
 #include <vector>
 
+#include "renderer/gl/storage.h"
 #include "renderer/gl/texture.h"
 #include "renderer/shaders/shared/bindings.h"
 
 namespace pileus::shadow {
 namespace {
 
-/// A run of layers cut into equal power-of-two cells.
-struct Sheet {
-  int firstLayer = 0, layers = 0, cellEdge = 0, across = 0;
-  std::vector<bool> used;
-  bool empty() const {
-    return std::none_of(used.begin(), used.end(), [](bool u) { return u; });
-  }
+/// Where a block lies: `layers` layers from `first`, a square of `edge` texels, a power of two and aligned to
+/// it.
+struct Place {
+  ivec2 at{0};
+  int edge = 0, first = 0, layers = 0;  ///< layers 0: nothing lies here
+  int end() const { return first + layers; }
 };
 
 struct Array {
   gl::Texture texture;
   gl::Texture bits;           ///< half only: its texels as they are stored, unfiltered
-  std::vector<Sheet> sheets;  ///< index is stable; layers == 0: unused entry
+  std::vector<Place> places;  ///< a block keeps its index
 };
+
+bool overlap(const Place& a, const Place& b) {
+  return a.at.x < b.at.x + b.edge && b.at.x < a.at.x + a.edge && a.at.y < b.at.y + b.edge &&
+         b.at.y < a.at.y + a.edge;
+}
+
+/// The place that ends lowest, beside and below those that are taken, in an array `width` texels wide.
+Place findPlace(std::span<const Place> taken, int width, int edge, int layers) {
+  Place best;
+  std::vector<std::pair<int, int>> runs;  // taken in the column, first and end
+  for (int y = 0; y < width; y += edge)
+    for (int x = 0; x < width; x += edge) {
+      Place here{ivec2(x, y), edge, 0, layers};
+      runs.clear();
+      for (const Place& p : taken)
+        if (p.layers > 0 && overlap(p, here)) runs.emplace_back(p.first, p.end());
+      std::sort(runs.begin(), runs.end());
+      for (const auto& [first, end] : runs) {
+        if (here.end() <= first) break;
+        here.first = std::max(here.first, end);
+      }
+      if (best.layers == 0 || here.end() < best.end()) best = here;
+      if (best.first == 0) return best;
+    }
+  return best;
+}
+
+int depthOf(std::span<const Place> places) {
+  int depth = 0;
+  for (const Place& p : places) depth = std::max(depth, p.end());
+  return depth;
+}
+
+/// All anew, the widest and deepest first: narrow blocks stand side by side in wide layers.
+std::vector<Place> packed(const std::vector<Place>& places, int width) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i].layers > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(places[a].edge, places[a].layers) > std::pair(places[b].edge, places[b].layers);
+  });
+  std::vector<Place> out(places.size());
+  for (const std::size_t i : order) out[i] = findPlace(out, width, places[i].edge, places[i].layers);
+  return out;
+}
 
 constexpr int kArrays = 5;
 constexpr GLenum kFormats[kArrays] = {GL_RGBA32F, GL_RGBA16F, GL_RGBA16, GL_RGBA8, GL_RG16F};
@@ -55,10 +100,15 @@ struct DeepArena {
     }
     return at;
   }
-  void grow(std::size_t elements) {
+  Result<void> grow(std::size_t elements) {
+    gl::forgetErrors();
     GLuint larger = 0;
     glCreateBuffers(1, &larger);
     glNamedBufferStorage(larger, GLsizeiptr(elements * kDeepElement), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    if (auto stored = gl::checkStorage("deep shadow maps", elements * kDeepElement); !stored) {
+      glDeleteBuffers(1, &larger);
+      return stored;
+    }
     if (buffer) glCopyNamedBufferSubData(buffer, larger, 0, 0, GLsizeiptr(capacity * kDeepElement));
     glDeleteBuffers(1, &buffer);
     buffer = larger;
@@ -66,78 +116,84 @@ struct DeepArena {
     if (!texels) glCreateTextures(GL_TEXTURE_BUFFER, 1, &texels);
     glTextureBuffer(texels, GL_RG32UI, buffer);
     glObjectLabel(GL_BUFFER, buffer, -1, "deep shadow maps");
+    return {};
   }
 };
 
 }  // namespace
 
 struct ShadowStoreState {
-  gl::DeviceInfo device;
   std::size_t budget = 0;
   Array arrays[kArrays];
   DeepArena deep;
 
-  /// First layer of a free run, or the layer after the last used one.
-  static int freeRun(const Array& a, int layers, int depth) {
-    std::vector<bool> taken(std::size_t(std::max(depth, 0)), false);
-    int end = 0;
-    for (const Sheet& s : a.sheets)
-      for (int l = 0; l < s.layers; ++l) {
-        taken[std::size_t(s.firstLayer + l)] = true;
-        end = std::max(end, s.firstLayer + l + 1);
-      }
-    for (int first = 0, run = 0, l = 0; l < depth; ++l) {
-      run = taken[std::size_t(l)] ? 0 : run + 1;
-      if (run == 0) first = l + 1;
-      if (run == layers) return first;
-    }
-    return end;
-  }
-
-  Result<void> grow(int kind, int edge, int depth) {
+  /// A texture in which all `places` have room; what lies at the array's places moves there. Error (Gpu): all
+  /// stays as it is.
+  Result<void> move(int kind, std::vector<Place> places, ivec3 size) {
     Array& a = arrays[kind];
-    const ivec3 old = a.texture ? a.texture.size() : ivec3(0);
-    const ivec3 size(std::max(edge, old.x), std::max(edge, old.y), std::max(depth, old.z));
-    if (size == old) return {};
     const std::size_t bytes =
         gl::texelBytes(kFormats[kind]) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
     std::size_t others = deep.capacity * kDeepElement;
     for (int k = 0; k < kArrays; ++k)
       if (k != kind) others += arrays[k].texture.bytes();
-    if (size.x > device.maxTextureSize || size.z > device.maxArrayLayers || bytes + others > budget)
+    if (bytes + others > budget)
       return fail(Code::Gpu,
                   "shadow maps would need {} MiB ({} x {} texels, {} layers); {} MiB are set aside for them",
                   (bytes + others) >> 20, size.x, size.y, size.z, budget >> 20);
-    while (glGetError() != GL_NO_ERROR) {
+    PILEUS_TRY(gl::Texture larger,
+               gl::Texture::create(GL_TEXTURE_2D_ARRAY, kFormats[kind], size, kLabels[kind]));
+    larger.filter(GL_LINEAR);
+    for (std::size_t i = 0; i < a.places.size(); ++i) {
+      const Place &from = a.places[i], &to = places[i];
+      if (from.layers > 0)
+        glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, from.at.x, from.at.y, from.first,
+                           larger.id(), GL_TEXTURE_2D_ARRAY, 0, to.at.x, to.at.y, to.first, from.edge,
+                           from.edge, from.layers);
     }
-    gl::Texture grown(GL_TEXTURE_2D_ARRAY, kFormats[kind], size, kLabels[kind]);
-    grown.filter(GL_LINEAR);
-    if (glGetError() == GL_OUT_OF_MEMORY)
-      return fail(Code::Gpu, "out of GPU memory: {} MiB for shadow maps", bytes >> 20);
-    if (a.texture)
-      glCopyImageSubData(a.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, grown.id(), GL_TEXTURE_2D_ARRAY, 0,
-                         0, 0, 0, old.x, old.y, old.z);
-    a.texture = std::move(grown);
+    a.texture = std::move(larger);
+    a.places = std::move(places);
     if (kind == STORE_HALF) a.bits = gl::Texture::view(a.texture, GL_RG32UI, "shadow store half, as bits");
     return {};
+  }
+
+  /// The index of a new place of that size.
+  Result<std::size_t> take(int kind, int edge, int layers) {
+    Array& a = arrays[kind];
+    const ivec3 old = a.texture ? a.texture.size() : ivec3(0);
+    std::size_t index = 0;
+    while (index < a.places.size() && a.places[index].layers != 0) ++index;
+    const auto with = [&](std::vector<Place> places, const Place& place) {
+      places.resize(std::max(places.size(), index + 1));
+      places[index] = place;
+      return places;
+    };
+    const int width = std::max(edge, old.x);
+    std::vector<Place> still;  // all others as they lie
+    if (width == old.x) {
+      still = with(a.places, findPlace(a.places, width, edge, layers));
+      if (depthOf(still) <= old.z) {
+        a.places = std::move(still);
+        return index;
+      }
+    }
+    std::vector<Place> places = packed(with(a.places, {ivec2(0), edge, 0, layers}), width);
+    if (!still.empty() && depthOf(still) <= depthOf(places)) places = std::move(still);
+    a.places.resize(places.size());
+    PILEUS_CHECK(move(kind, places, ivec3(width, width, depthOf(places))));
+    return index;
   }
 };
 
 ShadowBlock::ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers,
-                         int faces, int sheet, int cell)
+                         int faces, std::size_t place)
     : store_(std::move(store)),
       texels_(texels),
       resolution_(resolution),
       layers_(layers),
       faces_(faces),
-      sheet_(sheet),
-      cell_(cell) {}
+      place_(place) {}
 
-ShadowBlock::~ShadowBlock() {
-  Sheet& s = store_->arrays[int(texels_)].sheets[std::size_t(sheet_)];
-  s.used[std::size_t(cell_)] = false;
-  if (s.empty()) s = Sheet{};
-}
+ShadowBlock::~ShadowBlock() { store_->arrays[int(texels_)].places[place_] = Place{}; }
 
 std::size_t ShadowBlock::bytes() const {
   return gl::texelBytes(format()) * std::size_t(resolution_) * std::size_t(resolution_) *
@@ -145,9 +201,8 @@ std::size_t ShadowBlock::bytes() const {
 }
 
 gpu::BlockRecord ShadowBlock::record() const {
-  const Sheet& s = store_->arrays[int(texels_)].sheets[std::size_t(sheet_)];
-  return {ivec4((cell_ % s.across) * s.cellEdge, (cell_ / s.across) * s.cellEdge, resolution_, s.firstLayer),
-          ivec4(int(texels_), layers_, faces_, 0)};
+  const Place& p = store_->arrays[int(texels_)].places[place_];
+  return {ivec4(p.at, resolution_, p.first), ivec4(int(texels_), layers_, faces_, 0)};
 }
 
 DeepBlock::~DeepBlock() { store_->deep.taken.erase(first_); }
@@ -173,37 +228,15 @@ void DeepBlock::bindImage(GLuint unit) const {
 GLuint ShadowBlock::texture() const { return store_->arrays[int(texels_)].texture.id(); }
 GLenum ShadowBlock::format() const { return kFormats[int(texels_)]; }
 
-ShadowStore::ShadowStore(const gl::DeviceInfo& device, std::size_t budgetBytes)
-    : state_(std::make_shared<ShadowStoreState>()) {
-  state_->device = device;
+ShadowStore::ShadowStore(std::size_t budgetBytes) : state_(std::make_shared<ShadowStoreState>()) {
   state_->budget = budgetBytes;
 }
 
 Result<std::shared_ptr<const ShadowBlock>> ShadowStore::allocate(Texels texels, int resolution, int layers,
                                                                  int faces) {
-  Array& a = state_->arrays[int(texels)];
   const int edge = int(std::bit_ceil(unsigned(std::max(resolution, 16))));
-  const auto take = [&](std::size_t sheet, std::size_t cell) {
-    a.sheets[sheet].used[cell] = true;
-    return std::make_shared<const ShadowBlock>(state_, texels, resolution, layers, faces, int(sheet),
-                                               int(cell));
-  };
-  for (std::size_t i = 0; i < a.sheets.size(); ++i) {
-    const Sheet& s = a.sheets[i];
-    if (s.layers != layers * faces || s.cellEdge != edge) continue;
-    for (std::size_t c = 0; c < s.used.size(); ++c)
-      if (!s.used[c]) return take(i, c);
-  }
-  const int depth = a.texture ? a.texture.size().z : 0;
-  const int first = ShadowStoreState::freeRun(a, layers * faces, depth);
-  PILEUS_CHECK(state_->grow(int(texels), edge, first + layers * faces));
-  const int across = a.texture.size().x / edge;
-  std::size_t index = 0;
-  while (index < a.sheets.size() && a.sheets[index].layers != 0) ++index;
-  if (index == a.sheets.size()) a.sheets.emplace_back();
-  a.sheets[index] = {first, layers * faces, edge, across,
-                     std::vector<bool>(std::size_t(across) * std::size_t(across), false)};
-  return take(index, 0);
+  PILEUS_TRY(const std::size_t place, state_->take(int(texels), edge, layers * faces));
+  return std::make_shared<const ShadowBlock>(state_, texels, resolution, layers, faces, place);
 }
 
 Result<std::shared_ptr<const DeepBlock>> ShadowStore::allocateDeep(std::size_t elements) {
@@ -226,7 +259,7 @@ Result<std::shared_ptr<const DeepBlock>> ShadowStore::allocateDeep(std::size_t e
                   "a deep shadow map needs {} MiB more; {} MiB are set aside for shadow maps: raise its "
                   "error bound or lower its resolution",
                   (elements * kDeepElement) >> 20, state_->budget >> 20);
-    arena.grow(others + wanted * kDeepElement > state_->budget ? end : wanted);
+    PILEUS_CHECK(arena.grow(others + wanted * kDeepElement > state_->budget ? end : wanted));
   }
   arena.taken.emplace(first, elements);
   return std::make_shared<const DeepBlock>(state_, first, elements);

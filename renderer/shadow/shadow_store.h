@@ -1,13 +1,12 @@
 #pragma once
-// All shadow maps live here: one 2D texture array per format, blocks of map layers packed into it. GL thread
-// only; a block keeps its store alive.
+// All shadow maps live here: one 2D texture array per format, blocks of map layers packed into it, narrow
+// ones side by side. GL thread only; a block keeps its store alive.
 #include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "renderer/base/result.h"
-#include "renderer/gl/context.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/shaders/shared/records.h"
 
@@ -29,7 +28,7 @@ struct ShadowStoreState;
 class ShadowBlock {
  public:
   ShadowBlock(std::shared_ptr<ShadowStoreState> store, Texels texels, int resolution, int layers, int faces,
-              int sheet, int cell);
+              std::size_t place);
   ~ShadowBlock();
   ShadowBlock(const ShadowBlock&) = delete;
   ShadowBlock& operator=(const ShadowBlock&) = delete;
@@ -39,15 +38,17 @@ class ShadowBlock {
   int faces() const { return faces_; }
   Texels texels() const { return texels_; }
   std::size_t bytes() const;
-  /// Where it lies now (blocks never move, their texture may be replaced by a larger one).
+  /// Where it lies now. Every allocate() may move it, to another place in another texture: records and
+  /// bindings are made anew behind it.
   gpu::BlockRecord record() const;
-  GLuint texture() const;  ///< name of the array texture; may change when the store grows
+  GLuint texture() const;  ///< name of the array texture, likewise
   GLenum format() const;
 
  private:
   std::shared_ptr<ShadowStoreState> store_;
   Texels texels_;
-  int resolution_, layers_, faces_, sheet_, cell_;
+  int resolution_, layers_, faces_;
+  std::size_t place_;
 };
 
 /// A run of 8-byte elements for one deep map: a header (first vertex, count) for each texel, then the
@@ -73,8 +74,8 @@ class DeepBlock {
 
 class ShadowStore {
  public:
-  ShadowStore(const gl::DeviceInfo& device, std::size_t budgetBytes);
-  /// Error (Gpu) names the need and the budget.
+  explicit ShadowStore(std::size_t budgetBytes);
+  /// Error (Gpu) names the need and the budget, or the limit of the driver.
   Result<std::shared_ptr<const ShadowBlock>> allocate(Texels texels, int resolution, int layers,
                                                       int faces = 1);
   Result<std::shared_ptr<const DeepBlock>> allocateDeep(std::size_t elements);

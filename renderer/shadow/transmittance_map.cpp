@@ -9,7 +9,7 @@ namespace pileus::shadow {
 TransmittancePass::TransmittancePass(const ShadowSpec& spec, const scene::Light& light,
                                      const volume::InstanceList& volumes, const scene::SolidList& solids,
                                      const LightFrustum& frustum)
-    : pass_(volumes, frustum, spec.resolution, 64),
+    : pass_(volumes, frustum, spec.resolution),
       map_(newMap(ShadowMap::Kind::TransmittanceFunction, spec, light, pass_.volumes(), solids, frustum)) {
   map_->basis = spec.basis;
   map_->coefficients = spec.coefficients;
@@ -25,8 +25,8 @@ Result<double> TransmittancePass::step(const Gpu& gpu, double ms) {
                gpu.store.allocate(map_->storage == Storage::Float ? Texels::Float : Texels::Half,
                                   pass_.resolution(), (map_->coefficients + 3) / 4, map_->frustum.faces()));
   }
-  pass_.bindLight(*map_);
-  if (!march_) march_.emplace(gpu, pass_, 2, map_->coefficients + 2);
+  PILEUS_CHECK(pass_.bindLight(*map_));
+  if (!march_) march_.emplace(pass_, 2, map_->coefficients + 2);
   gl::Defines defines = march_->defines();
   defines.insert(defines.end(), {{"BASIS", map_->basis == Basis::Cosine ? BASIS_COSINE : BASIS_FOURIER},
                                  {"BASIS_FLOATS", map_->coefficients},

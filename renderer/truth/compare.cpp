@@ -30,16 +30,21 @@ Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
       figures_.shadow = {error_.mean(), error_.quantile(0.95), error_.maximum()};
       figures_.leak = error_.leak(), figures_.dark = error_.dark(), figures_.samples = error_.samples();
     } else if (pictureFraction_ < 1) {
-      // One region each, so that both have the same samples everywhere; who is still uploading, or takes
-      // several dispatches for a region, is waited for.
+      // One region each, whoever is behind first, so that both have about the same samples everywhere and end
+      // each of them together; who is still uploading, or takes several dispatches for a region, is waited
+      // for.
       const auto behind = [&] {
         return (mapped() ? mapped()->fraction : 0) <= (truth() ? truth()->fraction : 0);
       };
-      if (behind()) PILEUS_CHECK(mapped_.step(gpu, 0));
-      if (!mapped() || !behind()) {
-        PILEUS_TRY(pictureFraction_, truth_.step(gpu, 0));
+      if (behind()) {
+        PILEUS_TRY(mappedFraction_, mapped_.step(gpu, 0));
       }
-      if (truth() && truth()->samples != figures_.pictureSamples) PILEUS_CHECK(measureRadiance());
+      if (!mapped() || !behind()) {
+        PILEUS_TRY(truthFraction_, truth_.step(gpu, 0));
+      }
+      pictureFraction_ = std::min(mappedFraction_, truthFraction_);
+      const bool even = mapped() && truth() && mapped()->fraction == truth()->fraction;
+      if (even && truth()->samples != figures_.pictureSamples) PILEUS_CHECK(measureRadiance());
     }
     const double errorShare = 1.0 / (1.0 + scene_.options.samples);
     fraction_ = (1 - errorShare) * pictureFraction_ + errorShare * error_.fraction();
@@ -96,7 +101,8 @@ Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const CompareP
   if (!colours_) {
     std::vector<vec3> colours;
     for (int i = 0; i < kColours; ++i) colours.push_back(falseColour(2.0 * i / (kColours - 1) - 1));
-    colours_ = gl::Texture(GL_TEXTURE_1D, GL_RGB32F, ivec3(kColours, 1, 1), "false colours");
+    PILEUS_TRY(colours_,
+               gl::Texture::create(GL_TEXTURE_1D, GL_RGB32F, ivec3(kColours, 1, 1), "false colours"));
     glTextureSubImage1D(colours_.id(), 0, 0, kColours, GL_RGB, GL_FLOAT, colours.data());
     colours_.filter(GL_LINEAR);
     colours_.wrap(GL_CLAMP_TO_EDGE);
@@ -104,7 +110,7 @@ Result<unsigned> CompareDisplay::draw(gl::ShaderLibrary& shaders, const CompareP
   const ivec2 size = pass.scene().options.size;
   gl::Texture& target = targets_.at(static_cast<std::size_t>(slot));
   if (!target || ivec2(target.size()) != size) {
-    target = gl::Texture(GL_TEXTURE_2D, GL_RGBA8, ivec3(size, 1), "comparison");
+    PILEUS_TRY(target, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA8, ivec3(size, 1), "comparison"));
     target.filter(GL_LINEAR);
     target.wrap(GL_CLAMP_TO_EDGE);
   }

@@ -39,7 +39,7 @@ class ComparePass {
   std::shared_ptr<const view::Picture> mapped() const { return mapped_.picture(); }
   std::shared_ptr<const view::Picture> truth() const { return truth_.picture(); }
   /// Whole passes over the picture: then nothing of it is missing.
-  bool pictureWhole() const { return truth() && truth()->samples > 0; }
+  bool pictureWhole() const { return truth() && truth()->samples > 0 && mapped() && mapped()->samples > 0; }
   bool shadowWhole() const { return error_.fraction() >= 1; }
   const ShadowErrorPass& shadowError() const { return error_; }
   const CompareFigures& figures() const { return figures_; }
@@ -51,7 +51,7 @@ class ComparePass {
   view::VolumeRenderPass mapped_, truth_;
   ShadowErrorPass error_;
   CompareFigures figures_;
-  double pictureFraction_ = 0, fraction_ = 0;
+  double mappedFraction_ = 0, truthFraction_ = 0, pictureFraction_ = 0, fraction_ = 0;
 };
 
 /// The colour of an error e in [-1, 1]: from blue (too dark) over near black to red (light leaks), linear

@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kRows = 16;         // of a region
 constexpr double kRegionMs = 12;  // wanted: a dispatch cannot be interrupted
-constexpr int kPairs = MAX_LIGHTS / 2;
 
 }  // namespace
 
-ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth)
+ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth,
+                                 int pairsAtOnce)
     : options_(scene.options) {
   std::vector<shadow::ShadowedLight> pairs;
   const auto close = [&] {
@@ -26,24 +26,34 @@ ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::Ren
     if (!scene.lights[i].shadow) continue;
     pairs.push_back(scene.lights[i]);
     pairs.push_back(truth.lights[i]);
-    if (pairs.size() == 2 * kPairs) close();
+    if (pairs.size() == 2 * std::size_t(pairsAtOnce)) close();
   }
   close();
   if (groups_.empty()) fraction_ = 1;
 }
 
-void ShadowErrorPass::start(const gl::DeviceInfo& device) {
-  for (gl::Texture* t : {&errors_, &transmittances_}) {
-    *t = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(options_.size, 1), "shadow error");
+Result<void> ShadowErrorPass::start(const gl::DeviceInfo& device) {
+  march_.list(options_, groups_.front());
+  PILEUS_CHECK(clearBins());
+  const auto made = [&] {
+    return gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(options_.size, 1), "shadow error");
+  };
+  PILEUS_TRY(gl::Texture transmittances, made());
+  PILEUS_TRY(gl::Texture errors, made());
+  for (gl::Texture* t : {&errors, &transmittances}) {
     t->clear();
     t->filter(GL_NEAREST);
   }
-  march_.list(options_, groups_.front());
   budgets_.resize(groups_.size());
   for (std::size_t i = 0; i < groups_.size(); ++i)
     march_.plan(budgets_[i], options_, groups_[i], device, pauseAfter_);
+  errors_ = std::move(errors), transmittances_ = std::move(transmittances);
+  return {};
+}
+
+Result<void> ShadowErrorPass::clearBins() {
   const std::vector<unsigned> zero(ERROR_BINS, 0u);
-  bins_.assign(std::span<const unsigned>(zero));
+  return bins_.assign(std::span<const unsigned>(zero));
 }
 
 Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
@@ -52,14 +62,15 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
   while (fraction_ < 1) {
     const ivec2 from = next_, to = glm::min(from + ivec2(width_, kRows), options_.size);
     const Stopwatch region;
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      view::LightSet& group = groups_[i];
+    for (; group_ < groups_.size(); ++group_) {
+      view::LightSet& group = groups_[group_];
       PILEUS_TRY(const residency::Residency residency, march_.prepare(gpu, options_, group, ms));
-      if (residency.fraction < 1) return fraction_;
-      if (!errors_) start(gpu.device);
-      PILEUS_CHECK(draw(gpu, group, budgets_[i], from, to));
+      if (residency.fraction < 1) return fraction_;  // the groups before it have added their part
+      if (!errors_) PILEUS_CHECK(start(gpu.device));
+      PILEUS_CHECK(draw(gpu, group, budgets_[group_], from, to));
     }
-    collect(from, to);
+    group_ = 0;
+    PILEUS_CHECK(collect(from, to));
     const double took = region.ms();
     if (took < 0.5 * kRegionMs) width_ = std::min(2 * width_, 4096);
     if (took > 2 * kRegionMs) width_ = std::max(width_ / 2, 8);
@@ -74,19 +85,20 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
 
 Result<void> ShadowErrorPass::draw(const shadow::Gpu& gpu, view::LightSet& lights,
                                    residency::MarchBudget& budget, ivec2 from, ivec2 to) {
-  lights.bind(gpu.store, march_.run.table(), view::CameraMarch::originOf(options_, lights));
+  PILEUS_CHECK(lights.bind(gpu.store, march_.run.table(), view::CameraMarch::originOf(options_, lights)));
   PILEUS_TRY(gl::Program * program,
              march_.bind(gpu, "truth/shadow_error.comp.glsl", options_, lights, budget));
   program->set("pairCount", static_cast<int>(lights.lights().size() / 2));
   bins_.bindStorage(BIND_ERROR_BINS);
   glBindImageTexture(IMAGE_ERROR, errors_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glBindImageTexture(IMAGE_TRANSMITTANCE, transmittances_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  while (!march_.run.dispatch(*program, from, to, &budget)) {
+  for (bool drawn = false; !drawn;) {
+    PILEUS_TRY(drawn, march_.run.dispatch(*program, from, to, &budget));
   }
   return {};
 }
 
-void ShadowErrorPass::collect(ivec2 from, ivec2 to) {
+Result<void> ShadowErrorPass::collect(ivec2 from, ivec2 to) {
   const ivec2 size = to - from;
   std::vector<vec4> error(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)),
       seen(error.size());
@@ -104,27 +116,35 @@ void ShadowErrorPass::collect(ivec2 from, ivec2 to) {
     (e.x > 0 ? leak_ : dark_) += static_cast<double>(std::abs(e.x));
     seen_ += static_cast<double>(seen[i].z);
   }
-}
-
-double ShadowErrorPass::quantile(double q) const {
-  if (!errors_ || samples_ <= 0) return 0;
   std::vector<unsigned> bins(ERROR_BINS);
   glGetNamedBufferSubData(bins_.id(), 0, static_cast<GLsizeiptr>(bins.size() * sizeof(unsigned)),
                           bins.data());
+  histogram_.add(bins);
+  return clearBins();
+}
+
+void ErrorHistogram::add(std::span<const unsigned> bins) {
+  bins_.resize(std::max(bins_.size(), bins.size()), 0);
+  for (std::size_t i = 0; i < bins.size(); ++i) bins_[i] += bins[i];
+}
+
+double ErrorHistogram::quantile(double q, double maximum) const {
   double all = 0, below = 0;
-  for (const unsigned n : bins) all += n;
+  for (const std::uint64_t n : bins_) all += static_cast<double>(n);
+  if (all == 0) return 0;
   const double wanted = q * all;
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    if (bins[i] == 0 || below + bins[i] < wanted) {
-      below += bins[i];
+  for (std::size_t i = 0; i < bins_.size(); ++i) {
+    const auto n = static_cast<double>(bins_[i]);
+    if (n == 0 || below + n < wanted) {
+      below += n;
       continue;
     }
     if (i == 0) return 0;
-    const double within = (wanted - below) / bins[i];
+    const double within = (wanted - below) / n;
     const double decades = (static_cast<double>(i - 1) + within) * ERROR_DECADES / (ERROR_BINS - 1);
-    return std::min(ERROR_LEAST * std::pow(10.0, decades), maximum_);
+    return std::min(ERROR_LEAST * std::pow(10.0, decades), maximum);
   }
-  return maximum_;
+  return maximum;
 }
 
 }  // namespace pileus::truth

@@ -1,6 +1,8 @@
 #pragma once
 // The error of shadow maps where a picture looks: at every sample of its camera rays, transmittance by the
 // map minus transmittance by a march. GL thread.
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "renderer/gl/buffer.h"
@@ -9,10 +11,25 @@
 
 namespace pileus::truth {
 
+/// How often which |dT| occurred, in the bins of shared/compare.h. The GPU counts in 32 bits, a region at a
+/// time; the sums here do not overflow.
+class ErrorHistogram {
+ public:
+  void add(std::span<const unsigned> bins);
+  /// |dT| that a share q of all does not exceed; 0 for none, and where it is below the first bin. At most
+  /// `maximum`.
+  double quantile(double q, double maximum) const;
+
+ private:
+  std::vector<std::uint64_t> bins_;
+};
+
 class ShadowErrorPass {
  public:
+  static constexpr int kPairs = MAX_LIGHTS / 2;  ///< of lights, as many as one dispatch may hold
   /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
-  ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth);
+  /// A dispatch takes `pairs` of them.
+  ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth, int pairs = kPairs);
   /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
   /// residency::MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
@@ -25,7 +42,7 @@ class ShadowErrorPass {
   double mean() const { return samples_ > 0 ? sum_ / samples_ : 0; }  ///< of |dT|, every sample alike
   double maximum() const { return maximum_; }
   /// |dT| that a share q of the samples does not exceed; to 1.4 %, 0 below 1e-6.
-  double quantile(double q) const;
+  double quantile(double q) const { return histogram_.quantile(q, maximum_); }
   double leak() const {
     return seen_ > 0 ? leak_ / seen_ : 0;
   }  ///< mean of the pixels' max(dT, 0), each counted by what is seen
@@ -36,19 +53,22 @@ class ShadowErrorPass {
   const gl::Texture& transmittances() const { return transmittances_; }
 
  private:
-  void start(const gl::DeviceInfo& device);
+  Result<void> start(const gl::DeviceInfo& device);
   Result<void> draw(const shadow::Gpu& gpu, view::LightSet& lights, residency::MarchBudget& budget,
                     ivec2 from, ivec2 to);
-  void collect(ivec2 from, ivec2 to);
+  Result<void> collect(ivec2 from, ivec2 to);
+  Result<void> clearBins();
   view::RenderOptions options_;
-  std::vector<view::LightSet> groups_;           ///< pairs of lights, as many as one dispatch may hold
+  std::vector<view::LightSet> groups_;           ///< pairs of lights, each a dispatch
   std::vector<residency::MarchBudget> budgets_;  ///< of each group
   int pauseAfter_ = 0;
   view::CameraMarch march_;
   gl::Texture errors_, transmittances_;
-  gl::Buffer bins_{"error bins"};
-  ivec2 next_{0};   ///< first pixel of the next region
-  int width_ = 16;  ///< of a region: grows and shrinks with the time one takes
+  gl::Buffer bins_{"error bins"};  ///< of the region at work
+  ErrorHistogram histogram_;
+  ivec2 next_{0};          ///< first pixel of the next region
+  std::size_t group_ = 0;  ///< first one whose part of that region is missing
+  int width_ = 16;         ///< of a region: grows and shrinks with the time one takes
   double fraction_ = 0;
   double sum_ = 0, samples_ = 0, maximum_ = 0, leak_ = 0, dark_ = 0, seen_ = 0;
 };

@@ -22,6 +22,8 @@ class Lookups {
   static Result<Lookups> create(const shadow::Gpu& gpu, const shadow::ShadowMap& map,
                                 std::span<const vec4> positions, const dvec3& origin) {
     Lookups l(map, positions, origin);
+    PILEUS_CHECK(l.in_.assign(positions));
+    PILEUS_CHECK(l.out_.reserve(std::max<std::size_t>(positions.size(), 1) * sizeof(float)));
     for (double done = 0; done < 1;) {
       PILEUS_TRY(const residency::Residency r,
                  l.volumes_.prepare(gpu.bricks, l.lights_.volumes(), 1e9, origin));
@@ -36,7 +38,7 @@ class Lookups {
   Result<void> bind(const shadow::Gpu& gpu) {
     program_->use();
     volumes_.bind(gpu.bricks, table_, *program_);
-    lights_.bind(gpu.store, table_, origin_);
+    PILEUS_CHECK(lights_.bind(gpu.store, table_, origin_));
     PILEUS_CHECK(table_.bind(*program_));
     in_.bindStorage(BIND_TEST_IN);
     out_.bindStorage(BIND_TEST_OUT);
@@ -92,10 +94,7 @@ class Lookups {
             {{map.light, std::shared_ptr<const shadow::ShadowMap>(&map, [](const shadow::ShadowMap*) {})}},
             {}, {}),
         origin_(origin),
-        count_(int(positions.size())) {
-    in_.assign(positions);
-    out_.reserve(std::max<std::size_t>(positions.size(), 1) * sizeof(float));
-  }
+        count_(int(positions.size())) {}
   view::LightSet lights_;
   dvec3 origin_;
   residency::SceneTable table_;

@@ -10,12 +10,12 @@
 namespace pileus::view {
 namespace {
 
-gl::Texture upload(const image::LutTexture& lut) {
+Result<gl::Texture> upload(const image::LutTexture& lut) {
   const GLenum format = lut.channels == 1 ? GL_R32F : GL_RGB32F;
   const GLenum target = lut.dimensions == 3   ? GL_TEXTURE_3D
                         : lut.dimensions == 2 ? GL_TEXTURE_2D
                                               : GL_TEXTURE_1D;
-  gl::Texture t(target, format, glm::max(lut.size, ivec3(1)), lut.sampler);
+  PILEUS_TRY(gl::Texture t, gl::Texture::create(target, format, glm::max(lut.size, ivec3(1)), lut.sampler));
   const GLenum pixels = lut.channels == 1 ? GL_RED : GL_RGB;
   if (lut.dimensions == 3)
     glTextureSubImage3D(t.id(), 0, 0, 0, 0, lut.size.x, lut.size.y, lut.size.z, pixels, GL_FLOAT,
@@ -50,21 +50,22 @@ const std::array<vec3, kExposureBands>& exposureBands() {
 
 struct Display::Impl {
   gl::ShaderLibrary* shaders;
-  std::map<std::string, Compiled> compiled;  ///< by config (address and description), display and view
+  std::map<std::string, Compiled> compiled;  ///< by the config's content, display, view and look
   std::map<int, gl::Texture> targets;
   GLuint framebuffer = 0, vertices = 0;
 
   Result<Compiled*> transform(const image::ColorConfig& config, const DisplaySettings& s) {
-    const std::string key = fmt::format("{}|{}|{}|{}", static_cast<const void*>(&config),
-                                        config.description(), s.display, s.view) +
-                            "|" + s.look;
+    const std::string key = fmt::format("{}|{}|{}|{}", config.key().hex(), s.display, s.view, s.look);
     if (const auto it = compiled.find(key); it != compiled.end()) return &it->second;
     PILEUS_TRY(const image::GpuTransform gpu, config.gpuTransform(s.display, s.view, s.look));
     Compiled c;
     const std::string text = "#define HAS_OCIO 1\n" + gpu.glsl + "\n";
     PILEUS_TRY(c.program, shaders->program({"view/display.vert.glsl", "view/display.frag.glsl"}, {}, text,
                                            gpu.key.hex()));
-    for (const image::LutTexture& lut : gpu.textures) c.luts.emplace_back(lut.sampler, upload(lut));
+    for (const image::LutTexture& lut : gpu.textures) {
+      PILEUS_TRY(gl::Texture texture, upload(lut));
+      c.luts.emplace_back(lut.sampler, std::move(texture));
+    }
     return &compiled.emplace(key, std::move(c)).first->second;
   }
 };
@@ -85,7 +86,7 @@ Result<unsigned> Display::draw(const gl::Texture& color, ivec2 size, ivec2 outpu
   PILEUS_TRY(Compiled * c, impl_->transform(config, settings));
   gl::Texture& target = impl_->targets[slot];
   if (!target || ivec2(target.size()) != outputSize) {
-    target = gl::Texture(GL_TEXTURE_2D, GL_RGBA8, ivec3(outputSize, 1), "display");
+    PILEUS_TRY(target, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA8, ivec3(outputSize, 1), "display"));
     target.filter(GL_LINEAR);
   }
   GLint before[4], bound = 0;

@@ -71,7 +71,8 @@ gl::Defines LightSet::defines() const {
   return out;
 }
 
-void LightSet::bind(const shadow::ShadowStore& store, residency::SceneTable& table, const dvec3& origin) {
+Result<void> LightSet::bind(const shadow::ShadowStore& store, residency::SceneTable& table,
+                            const dvec3& origin) {
   std::vector<gpu::LightRecord>& records = made_;
   records.clear();
   for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -82,8 +83,8 @@ void LightSet::bind(const shadow::ShadowStore& store, residency::SceneTable& tab
     r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y;
   }
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
-  records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord));
-  records_.assign(std::span<const gpu::LightRecord>(records));
+  PILEUS_CHECK(records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord)));
+  PILEUS_CHECK(records_.assign(std::span<const gpu::LightRecord>(records)));
   if (madeFor_ != origin) {
     madeSolids_.clear();
     for (const scene::Solid& s : solids_) madeSolids_.push_back(makeRecord(s, origin));
@@ -93,6 +94,7 @@ void LightSet::bind(const shadow::ShadowStore& store, residency::SceneTable& tab
   table.set(residency::SceneTable::Section::Solids, std::span<const gpu::SolidRecord>(madeSolids_));
   store.bind();
   records_.bindUniform(BIND_LIGHTS);
+  return {};
 }
 
 }  // namespace pileus::view

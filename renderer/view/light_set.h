@@ -31,7 +31,8 @@ class LightSet {
   /// Records (made anew: maps may have moved) and the maps themselves to their binding points, lists into the
   /// table, which is the caller's to bind. At least one light is bound, a black one if need be. Places are
   /// relative to `origin`, as the volumes'.
-  void bind(const shadow::ShadowStore& store, residency::SceneTable& table, const dvec3& origin = dvec3(0));
+  Result<void> bind(const shadow::ShadowStore& store, residency::SceneTable& table,
+                    const dvec3& origin = dvec3(0));
 
  private:
   std::vector<shadow::ShadowedLight> lights_;

@@ -23,7 +23,7 @@ Result<int> draw(const shadow::Gpu& gpu, const Source& source, int tile, gl::Tex
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/map_thumbnail.comp.glsl"}));
   const ivec3 size(source.values * tile, tile, 1);
   if (!into || into.size() != size) {
-    into = gl::Texture(GL_TEXTURE_2D, GL_RGBA8, size, "map thumbnail");
+    PILEUS_TRY(into, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA8, size, "map thumbnail"));
     into.filter(GL_LINEAR);
   }
   program->use();

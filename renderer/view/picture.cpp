@@ -10,8 +10,7 @@ Result<image::Layer> layerOf(const Picture& picture, const std::string& name) {
   image::Layer out;
   out.name = name;
   out.pixels.resize(std::size_t(picture.size.x) * std::size_t(picture.size.y) * 4);
-  glGetTextureImage(picture.color.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(out.pixels.size() * sizeof(float)),
-                    out.pixels.data());
+  gl::readTexels(picture.color, GL_RGBA, 4, out.pixels.data());
   for (std::size_t i = 0; i < out.pixels.size(); ++i)
     if (!std::isfinite(out.pixels[i]))
       return fail(Code::Internal, "the picture{} holds {} at pixel {}, {}",
@@ -60,16 +59,16 @@ void stretch(const Picture& from, const Picture& to) {
 }
 void sample(const Picture& from, const Picture& to) { blit(from, to, GL_NEAREST); }
 
-std::shared_ptr<const Picture> stillOf(const Picture& picture) {
+Result<std::shared_ptr<const Picture>> stillOf(const Picture& picture) {
   auto still = std::make_shared<Picture>();
   still->size = picture.size;
   still->samples = picture.samples;
   still->fraction = picture.fraction;
   still->metadata = picture.metadata;
   still->layer = picture.layer;
-  still->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(picture.size, 1), "still");
+  PILEUS_TRY(still->color, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(picture.size, 1), "still"));
   stretch(picture, *still);
-  return still;
+  return std::shared_ptr<const Picture>(std::move(still));
 }
 
 }  // namespace pileus::view

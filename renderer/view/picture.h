@@ -34,7 +34,7 @@ void stretch(const Picture& from, const Picture& to);
 /// The same without mixing: each texel of `to` is one of `from`.
 void sample(const Picture& from, const Picture& to);
 /// Texels alone, without the scene that keeps volumes and maps alive.
-std::shared_ptr<const Picture> stillOf(const Picture& picture);
+Result<std::shared_ptr<const Picture>> stillOf(const Picture& picture);
 
 /// With its layers; depth has one channel. Waits for the GPU. Error (Internal) if a NaN or infinity is found,
 /// naming the pixel.

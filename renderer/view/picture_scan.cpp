@@ -79,8 +79,10 @@ bool PictureScan::follow(const std::shared_ptr<const Picture>& picture, double n
       std::max(1.0, std::sqrt(static_cast<double>(picture->size.x) * picture->size.y / kMostTexels));
   const ivec2 size = glm::max(ivec2(dvec2(picture->size) / by), ivec2(1));
   if (!reduced_.color || reduced_.size != size) {
+    auto color = gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(size, 1), "reduced picture");
+    if (!color) return fresh;
     reduced_.size = size;
-    reduced_.color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(size, 1), "reduced picture");
+    reduced_.color = std::move(*color);
   }
   sample(*picture, reduced_);
   reader_.request(reduced_.color, ivec2(0), size);

@@ -24,7 +24,7 @@ Renderer::Renderer(gl::DeviceInfo device, std::size_t gpuMemory)
     : device_(std::move(device)),
       gpuMemory_(gpuMemory),
       bricks_(device_, gpuMemory_ / 3 * 2),
-      shadows_(device_, gpuMemory_ / 3) {}
+      shadows_(gpuMemory_ / 3) {}
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& options) {
   PILEUS_TRY(gl::DeviceInfo device, gl::inspectCurrentContext());

@@ -10,7 +10,7 @@ void TexelReader::request(const gl::Texture& texture, ivec2 lo, ivec2 size) {
   lo = glm::clamp(lo, ivec2(0), whole - 1);
   size = glm::clamp(size, ivec2(1), whole - lo);
   count_ = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  buffer_.reserve(count_ * sizeof(vec4));
+  if (!buffer_.reserve(count_ * sizeof(vec4))) return;
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
   glGetTextureSubImage(texture.id(), 0, lo.x, lo.y, 0, size.x, size.y, 1, GL_RGBA, GL_FLOAT,

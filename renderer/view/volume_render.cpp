@@ -33,27 +33,28 @@ VolumeRenderPass::VolumeRenderPass(RenderScene scene)
   emission_ = (kind == PictureLayer::Kind::Beauty || kind == PictureLayer::Kind::Emission) && emits(*scene_);
 }
 
-void VolumeRenderPass::start(const shadow::Gpu& gpu) {
+Result<void> VolumeRenderPass::start(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
+  PILEUS_TRY(gl::Texture color, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture"));
+  march_.list(o, lights_);
   picture_ = std::make_shared<Picture>();
   picture_->size = o.size;
   picture_->scene = scene_;
-  picture_->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture");
+  picture_->color = std::move(color);
   picture_->layer = o.layer;
   if (seed_ && seed_->layer == o.layer)
     stretch(*seed_, *picture_);
   else
     picture_->color.clear();
   seed_.reset();
-  march_.list(o, lights_);
   // Few lights in registers; of many the room for them is cut into few sizes, as each is a variant.
   const int lights = std::max(int(lights_.lights().size()), 1);
   march_.plan(budget_, o, lights_, gpu.device, pauseAfter_,
               lights <= kUnrolledLights ? lights : int(std::bit_ceil(unsigned(lights))));
   const ivec2 lo = glm::clamp(ivec2(glm::floor(o.region.min * dvec2(o.size))), ivec2(0), o.size - 1);
   const ivec2 hi = glm::clamp(ivec2(glm::ceil(o.region.max * dvec2(o.size))), lo + 1, o.size);
-  march_.run.cursor = gl::RegionCursor(hi - lo, gpu.device);
-  march_.run.cursor.at = lo;
+  march_.run.cursor = gl::RegionCursor(hi - lo, gpu.device, 1, lo);
+  return {};
 }
 
 Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
@@ -63,17 +64,20 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   PILEUS_CHECK(lights_.check());
   PILEUS_TRY(residency_, march_.prepare(gpu, scene_->options, lights_, ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
-  if (!picture_) start(gpu);
-  lights_.bind(gpu.store, march_.run.table(), CameraMarch::originOf(scene_->options, lights_));
+  if (!picture_) PILEUS_CHECK(start(gpu));
+  PILEUS_CHECK(
+      lights_.bind(gpu.store, march_.run.table(), CameraMarch::originOf(scene_->options, lights_)));
   gl::RegionCursor& cursor = march_.run.cursor;
   do {
     PILEUS_TRY(const bool drawn, dispatch(gpu));
-    if (drawn && (++cursor.next, cursor.done())) {
-      cursor.next = 0;
+    if (!drawn) continue;
+    march_.run.advance();
+    if (cursor.done()) {
+      cursor.restart();
       ++picture_->samples;
     }
   } while (picture_->samples < samples && clock.ms() < ms);
-  picture_->fraction = (picture_->samples + double(cursor.next) / cursor.count()) / samples;
+  picture_->fraction = (picture_->samples + cursor.fraction()) / samples;
   return picture_->samples >= samples ? 1.0 : std::min(0.1 + 0.9 * picture_->fraction, 0.9999);
 }
 

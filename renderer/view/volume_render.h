@@ -32,7 +32,7 @@ class VolumeRenderPass {
   double takeGpuMs() { return march_.run.takeGpuMs(); }
 
  private:
-  void start(const shadow::Gpu& gpu);
+  Result<void> start(const shadow::Gpu& gpu);
   /// True when the region is drawn, false where it has to go on.
   Result<bool> dispatch(const shadow::Gpu& gpu);
   std::shared_ptr<const RenderScene> scene_;

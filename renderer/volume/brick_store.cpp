@@ -6,12 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 
+#include "renderer/base/file.h"
 #include "renderer/volume/brick_builder.h"
 #include "renderer/volume/byte_stream.h"
 
@@ -111,6 +112,11 @@ struct Mapping {
   }
 };
 
+/// Nothing is written to a store for so long without a pause.
+constexpr std::chrono::hours kLongestWrite{1};
+
+bool isTemporary(const fs::path& path) { return path.extension().string().starts_with(".tmp"); }
+
 bool writeAll(int fd, const void* data, std::size_t size) {
   const auto* p = static_cast<const char*>(data);
   while (size > 0) {
@@ -144,9 +150,7 @@ Result<void> writeStore(const fs::path& path, const BrickGrid& grid, const std::
   front.insert(0, reinterpret_cast<const char*>(&h), sizeof h);
   front.resize(static_cast<std::size_t>(h.payloadOffset), '\0');
 
-  static std::atomic<int> counter{0};
-  const fs::path temporary = path.string() + fmt::format(".tmp{}-{}", ::getpid(), counter++);
-  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const auto [fd, temporary] = createTemporary(path, 0644);
   if (fd < 0) return fail(Code::Input, "{}: cannot be written ({})", path.string(), std::strerror(errno));
   bool ok = writeAll(fd, front.data(), front.size()) && writeAll(fd, grid.payload.get(), payloadSize);
   ok = ::close(fd) == 0 && ok;  // no fsync: a cache whose damage is noticed and repaired
@@ -201,6 +205,15 @@ Result<StoredGrid> readStore(const fs::path& path) {
   return stored;
 }
 
+void removeTemporaries(const fs::path& store, long process) {
+  const std::string begin = store.filename().string() + fmt::format(".tmp{}-", process);
+  std::error_code ec;
+  std::vector<fs::path> left;
+  for (const auto& e : fs::directory_iterator(store.parent_path(), ec))
+    if (e.path().filename().string().starts_with(begin)) left.push_back(e.path());
+  for (const fs::path& path : left) fs::remove(path, ec);
+}
+
 void pruneStores(const fs::path& folder, std::uint64_t maxBytes) {
   struct Entry {
     fs::file_time_type used;
@@ -210,9 +223,14 @@ void pruneStores(const fs::path& folder, std::uint64_t maxBytes) {
   std::error_code ec;
   std::vector<Entry> entries;
   std::uint64_t total = 0;
+  const auto now = fs::file_time_type::clock::now();
   for (const auto& e : fs::directory_iterator(folder, ec)) {
     std::error_code one;
     if (!e.is_regular_file(one)) continue;
+    if (isTemporary(e.path())) {  // being written, or left behind by one that was killed
+      if (now - e.last_write_time(one) > kLongestWrite) fs::remove(e.path(), one);
+      continue;
+    }
     entries.push_back({e.last_write_time(one), e.file_size(one), e.path()});
     total += entries.back().bytes;
   }

@@ -23,7 +23,10 @@ Result<void> writeStore(const std::filesystem::path& path, const BrickGrid& grid
                         const std::vector<std::string>& notes = {});
 /// Maps the file; the grid keeps it mapped. Error (Input): missing, another version, damaged (what is wrong).
 Result<StoredGrid> readStore(const std::filesystem::path& path);
-/// Deletes the files of `folder` used longest ago until they take at most maxBytes together.
+/// What a process that was killed while it wrote that store has left of it.
+void removeTemporaries(const std::filesystem::path& store, long process);
+/// Deletes the files of `folder` used longest ago until they take at most maxBytes together, and what was
+/// begun long ago and never finished.
 void pruneStores(const std::filesystem::path& folder, std::uint64_t maxBytes);
 
 }  // namespace pileus::volume

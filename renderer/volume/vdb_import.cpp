@@ -36,15 +36,26 @@ std::string_view lastLine(std::string_view text) {
   return at == std::string_view::npos ? text : text.substr(at + 1);
 }
 
-/// Runs the child to its end and returns the content of its Info or Done message.
+/// Behind the end of a child: what it has begun of a store and not finished.
+struct Leftovers {
+  fs::path store;
+  long process = 0;
+  ~Leftovers() {
+    if (process > 0 && !store.empty()) removeTemporaries(store, process);
+  }
+};
+
+/// Runs the child to its end and returns the content of its Info or Done message. `store`: what it writes.
 Result<std::string> runChild(const fs::path& path, std::vector<std::string> arguments, JobControl& control,
-                             const ImportLimits& limits) {
+                             const ImportLimits& limits, const fs::path& store = {}) {
+  Leftovers leftovers{store, 0};  // cleared after the child's own end
   arguments.push_back(std::to_string(limits.memoryBytes));
   arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
   auto started =
       ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
   if (!started) return started.error();
   ChildProcess& child = *started;
+  leftovers.process = child.id();
   const auto begin = std::chrono::steady_clock::now();
   std::optional<Message> answer;
   for (bool open = true; open;) {
@@ -126,7 +137,8 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
                 stored.error().message);
     }
   }
-  PILEUS_CHECK(runChild(path, {"import", "grid", path.string(), gridName, store.string()}, control, limits));
+  PILEUS_CHECK(
+      runChild(path, {"import", "grid", path.string(), gridName, store.string()}, control, limits, store));
   auto stored = readStore(store);
   if (!stored)
     return about(path, Code::Internal,

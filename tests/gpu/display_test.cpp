@@ -18,7 +18,8 @@ std::vector<vec3> shown(const std::vector<vec4>& pixels, const DisplaySettings& 
   view::Renderer& r = renderer();
   static view::Display display(r.shaders());
   const ivec2 size(static_cast<int>(pixels.size()), 1);
-  gl::Texture picture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(size, 1), "test");
+  const gl::Texture picture =
+      std::move(*gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(size, 1), "test"));
   glTextureSubImage2D(picture.id(), 0, 0, 0, size.x, 1, GL_RGBA, GL_FLOAT, pixels.data());
   const auto texture = display.draw(picture, size, size, config, settings);
   if (!texture) {
@@ -120,6 +121,40 @@ TEST(Display, ZebraMarksWhatIsClippedAndNothingElse) {
   EXPECT_EQ(marked[6], plain[6]);
 }
 
+/// A config whose only view multiplies by `gain`.
+std::shared_ptr<const image::ColorConfig> gainConfig(const std::filesystem::path& path, double gain) {
+  std::ofstream(path) << fmt::format(R"(ocio_profile_version: 2
+roles: {{default: ACEScg, scene_linear: ACEScg, aces_interchange: ACES2065-1, cie_xyz_d65_interchange: XYZ}}
+displays:
+  sRGB: [!<View> {{name: Plain, colorspace: Gained}}]
+display_colorspaces:
+  - !<ColorSpace> {{name: XYZ}}
+colorspaces:
+  - !<ColorSpace> {{name: ACES2065-1}}
+  - !<ColorSpace> {{name: ACEScg, to_scene_reference: !<BuiltinTransform> {{style: ACEScg_to_ACES2065-1}}}}
+  - !<ColorSpace> {{name: Gained, to_scene_reference: !<GroupTransform> {{children: [!<MatrixTransform> {{matrix: [{0}, 0, 0, 0, 0, {0}, 0, 0, 0, 0, {0}, 0, 0, 0, 0, 1]}}, !<BuiltinTransform> {{style: ACEScg_to_ACES2065-1}}]}}}}
+)",
+                                     1 / gain);
+  auto config = image::ColorConfig::load(path.string());
+  EXPECT_TRUE(config) << (config ? "" : config.error().message);
+  return config ? *config : nullptr;
+}
+
+TEST(Display, AConfigReadAnewIsNotTakenForTheOneBeforeIt) {
+  // The same file with another content, sooner or later at an address that was used before.
+  const auto path = scratchFolder() / "gain.ocio";
+  for (int i = 0; i < 60; ++i) {
+    const double gain = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 0.5 : 0.25;
+    const auto config = gainConfig(path, gain);
+    ASSERT_TRUE(config);
+    expectNear(shown({vec4(0.6f, 0.4f, 0.2f, 1)}, {}, *config)[0],
+               vec3(0.6f, 0.4f, 0.2f) * static_cast<float>(gain));
+  }
+  const auto half = gainConfig(path, 0.5), again = gainConfig(path, 0.5), whole = gainConfig(path, 1);
+  EXPECT_EQ(half->key(), again->key());
+  EXPECT_NE(half->key(), whole->key());
+}
+
 TEST(Display, LooksComeFromTheConfigAndUnknownOnesAreNamed) {
   EXPECT_TRUE(config().looks().empty());
   const auto missing = config().gpuTransform("", "", "Film");
@@ -205,7 +240,7 @@ TEST(Layers, ARegionLeavesTheRestAsItWas) {
   scene.options.region = {{0.25, 0.25}, {0.75, 0.5}};
   auto seed = std::make_shared<view::Picture>();
   seed->size = ivec2(4, 4);
-  seed->color = gl::Texture(GL_TEXTURE_2D, GL_RGBA32F, ivec3(4, 4, 1), "seed");
+  seed->color = std::move(*gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(4, 4, 1), "seed"));
   seed->color.clear(vec4(7));
   view::VolumeRenderPass pass(scene);
   pass.beginWith(seed);

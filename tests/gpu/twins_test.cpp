@@ -52,8 +52,8 @@ void compare(Metric metric, Basis basis) {
       {"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8}, {"BASIS_FLOATS", 8}, {"WEIGHTS", 1}});
   ASSERT_TRUE(program) << program.error().message;
   gl::Buffer input, output;
-  input.assign(std::span<const float>(in));
-  output.reserve(std::size_t(kCount * kOut) * sizeof(float));
+  EXPECT_TRUE(input.assign(std::span<const float>(in)));
+  EXPECT_TRUE(output.reserve(std::size_t(kCount * kOut) * sizeof(float)));
   (*program)->use();
   input.bindStorage(BIND_TEST_IN);
   output.bindStorage(BIND_TEST_OUT);

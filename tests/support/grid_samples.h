@@ -17,8 +17,8 @@ inline std::vector<float> sampledOnGpu(const volume::Instance& instance, const s
   auto program = r.shaders().program({"test/sample_grid.comp.glsl"}, {{"SHAPES", set.shapes()}});
   EXPECT_TRUE(program);
   gl::Buffer in, out;
-  in.assign(std::span<const vec4>(positions));
-  out.reserve(positions.size() * sizeof(float));
+  EXPECT_TRUE(in.assign(std::span<const vec4>(positions)));
+  EXPECT_TRUE(out.reserve(positions.size() * sizeof(float)));
   (*program)->use();
   residency::SceneTable table;
   set.bind(r.bricks(), table, **program);

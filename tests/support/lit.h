@@ -41,11 +41,11 @@ inline std::vector<Lit> lit(const shadow::ShadowedLight& light, const std::vecto
     in.push_back(vec4(i < directions.size() ? vec3(directions[i]) : vec3(0), 0));
   }
   gl::Buffer input, output;
-  input.assign(std::span<const vec4>(in));
-  output.reserve(out.size() * sizeof(vec4));
+  EXPECT_TRUE(input.assign(std::span<const vec4>(in)));
+  EXPECT_TRUE(output.reserve(out.size() * sizeof(vec4)));
   (*program)->use();
   residency::SceneTable table;
-  lights.bind(gpu.store, table);
+  EXPECT_TRUE(lights.bind(gpu.store, table));
   volumes.bind(gpu.bricks, table, **program);
   EXPECT_TRUE(table.bind(**program));
   input.bindStorage(BIND_TEST_IN);

@@ -9,8 +9,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rg32ui, binding = IMAGE_TARGET) writeonly uniform uimageBuffer vertices;
 uniform int blockFirst;  // of the map in the buffer
 #endif
-// Kept, raw, doublings of the bound, first vertex.
-layout(rgba32ui, binding = IMAGE_TARGET + 1) uniform uimage2D counts;
+// Kept, raw, doublings of the bound, first vertex; a layer for each face.
+layout(rgba32ui, binding = IMAGE_TARGET + 1) uniform uimage2DArray counts;
 uniform float errorBound;
 uniform int nodeBudget, doublings;
 const int kRays = FILTER * FILTER;
@@ -115,7 +115,7 @@ void main() {
   if (!mt.valid) return;
   uvec4 count = uvec4(0u);
 #if FILL
-  count = imageLoad(counts, mt.tall);
+  count = imageLoad(counts, ivec3(mt.texel, mt.face));
   bound = boundAfter(int(count.z));
   firstVertex = int(count.w);
   if (count.x > 0u) compress(mt);
@@ -123,11 +123,12 @@ void main() {
   // One compression a dispatch: a texel over its budget is counted again by the next one, with twice the
   // bound.
   if (doublings > 0) {
-    count = imageLoad(counts, mt.tall);
+    count = imageLoad(counts, ivec3(mt.texel, mt.face));
     if (int(count.x) <= nodeBudget) return;
   }
   bound = boundAfter(doublings);
   compress(mt);
-  if (lastWindow()) imageStore(counts, mt.tall, uvec4(uint(kept), uint(raw), uint(doublings), 0u));
+  if (lastWindow())
+    imageStore(counts, ivec3(mt.texel, mt.face), uvec4(uint(kept), uint(raw), uint(doublings), 0u));
 #endif
 }

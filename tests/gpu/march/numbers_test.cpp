@@ -16,8 +16,8 @@ namespace {
 template <class In>
 std::vector<float> computed(gl::Program& program, const std::vector<In>& in) {
   gl::Buffer input, output;
-  input.assign(std::span<const In>(in));
-  output.reserve(in.size() * sizeof(float));
+  EXPECT_TRUE(input.assign(std::span<const In>(in)));
+  EXPECT_TRUE(output.reserve(in.size() * sizeof(float)));
   input.bindStorage(BIND_TEST_IN);
   output.bindStorage(BIND_TEST_OUT);
   program.set("count", int(in.size()));

@@ -12,6 +12,9 @@
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "renderer/base/file.h"
 #include "renderer/image/exr.h"
 #include "tests/support/support.h"
 
@@ -225,6 +228,86 @@ TEST(ExrForeign, DeepFilesAreRefusedByName) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, Code::Input);
   EXPECT_NE(read.error().message.find("deep"), std::string::npos) << read.error().message;
+}
+
+/// A picture of one value, as small as its compression can make it.
+fs::path writeConstant(Imf::Compression compression, int edge, float value) {
+  const fs::path path = test::scratchFolder() / "constant.exr";
+  Imf::Header h(edge, edge);
+  h.compression() = compression;
+  for (const char* name : {"R", "G", "B", "A"}) h.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  const std::vector<float> row(static_cast<std::size_t>(edge), value);
+  Imf::FrameBuffer frame;
+  for (const char* name : {"R", "G", "B", "A"})  // every row is that one
+    frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(row.data())),
+                                  sizeof(float), 0));
+  Imf::OutputFile file(path.c_str(), h, 0);
+  file.setFrameBuffer(frame);
+  file.writePixels(edge);
+  return path;
+}
+
+TEST(ExrForeign, ConstantPicturesReadHoweverSmallTheirFilesAre) {
+  for (const auto compression :
+       {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
+        Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::B44A_COMPRESSION,
+        Imf::DWAA_COMPRESSION, Imf::DWAB_COMPRESSION})
+    for (const float value : {0.0f, 0.5f}) {
+      constexpr int kEdge = 1024;
+      const fs::path path = writeConstant(compression, kEdge, value);
+      const auto read = readExr(path);
+      std::printf("compression %d, %g: %.0f : 1\n", int(compression), double(value),
+                  16.0 * kEdge * kEdge / static_cast<double>(fs::file_size(path)));
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_NEAR(read->layers[0].pixels.back(), value, 2e-3);
+    }
+}
+
+TEST(ExrForeign, AClaimThatTheFileCannotHoldIsRefused) {
+  // 64 KiB of honest noise behind a header that says 8000 x 8000.
+  const fs::path path = test::scratchFolder() / "claims.exr";
+  constexpr int kEdge = 100, kClaimed = 8000;
+  for (const auto compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIP_COMPRESSION,
+                                 Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION}) {
+    Imf::Header h(kEdge, kEdge);
+    h.compression() = compression;
+    for (const char* name : {"R", "G", "B", "A"}) h.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    std::vector<float> pixels;
+    unsigned state = 1;
+    for (int i = 0; i < kEdge * kEdge; ++i)
+      pixels.push_back(static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) * 1e-7f);
+    Imf::FrameBuffer frame;
+    for (const char* name : {"R", "G", "B", "A"})
+      frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float),
+                                    sizeof(float) * kEdge));
+    {
+      Imf::OutputFile file(path.c_str(), h, 0);
+      file.setFrameBuffer(frame);
+      file.writePixels(kEdge);
+    }
+    std::string bytes = *readFile(path);
+    const std::size_t at = bytes.find("dataWindow");
+    ASSERT_NE(at, std::string::npos);
+    const std::int32_t last = kClaimed - 1;
+    const std::size_t box = at + std::string("dataWindow").size() + 1 + std::string("box2i").size() + 1 + 4;
+    for (const std::size_t side : {box + 8, box + 12}) std::memcpy(&bytes[side], &last, 4);
+    bytes.resize(std::max(bytes.size(), std::size_t(200000)), '\0');  // enough for the table of chunks
+    ASSERT_TRUE(writeFileAtomic(path, bytes));
+    const auto read = readExr(path);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("too short"), std::string::npos)
+        << "compression " << compression << ": " << read.error().message;
+  }
+}
+
+TEST(ExrForeign, HeadersThatClaimAbsurdSizesHaveNoMetadata) {
+  const fs::path path = writeFloat({"R", "G", "B"});
+  std::string bytes = *readFile(path);
+  const std::size_t box = bytes.find("dataWindow") + 10 + 1 + 5 + 1 + 4;
+  const std::int32_t last = 1 << 28;
+  std::memcpy(&bytes[box + 8], &last, 4);
+  ASSERT_TRUE(writeFileAtomic(path, bytes));
+  EXPECT_FALSE(readExrMetadata(path));
 }
 
 }  // namespace

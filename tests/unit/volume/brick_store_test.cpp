@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <random>
 
@@ -115,6 +116,29 @@ TEST(BrickStore, PruningDeletesTheLeastRecentlyUsed) {
   EXPECT_FALSE(fs::exists(folder / "1"));
   EXPECT_FALSE(fs::exists(folder / "2"));
   EXPECT_TRUE(fs::exists(folder / "3"));
+}
+
+TEST(BrickStore, WhatWasBegunLongAgoIsSwept) {
+  const fs::path folder = test::scratchFolder();
+  const fs::path stale = folder / "a.bricks.tmp123-0", fresh = folder / "b.bricks.tmp124-0",
+                 whole = folder / "c.bricks";
+  for (const fs::path& path : {stale, fresh, whole}) std::ofstream(path) << std::string(1000, 'x');
+  fs::last_write_time(stale, fs::file_time_type::clock::now() - std::chrono::hours(2));
+  fs::last_write_time(whole, fs::file_time_type::clock::now() - std::chrono::hours(2));
+  pruneStores(folder, 1500);  // what is being written does not count, and is not taken away
+  EXPECT_FALSE(fs::exists(stale));
+  EXPECT_TRUE(fs::exists(fresh));
+  EXPECT_TRUE(fs::exists(whole));
+}
+
+TEST(BrickStore, OnlyTheKilledWritersFilesAreRemoved) {
+  const fs::path folder = test::scratchFolder(), store = folder / "a.bricks";
+  const fs::path its = folder / "a.bricks.tmp123-4", other = folder / "a.bricks.tmp1234-0",
+                 another = folder / "b.bricks.tmp123-0";
+  for (const fs::path& path : {its, other, another, store}) std::ofstream(path) << "x";
+  removeTemporaries(store, 123);
+  EXPECT_FALSE(fs::exists(its));
+  for (const fs::path& path : {other, another, store}) EXPECT_TRUE(fs::exists(path)) << path;
 }
 
 }  // namespace

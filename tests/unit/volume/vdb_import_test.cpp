@@ -357,6 +357,32 @@ TEST(VdbImport, CancelAndTimeLimitKillTheChild) {
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 5.0);
 }
 
+TEST(VdbImport, AKilledReaderLeavesNoHalfStoreBehind) {
+  const fs::path folder = test::scratchFolder(), script = folder / "half";
+  // import grid FILE NAME STORE MEMORY CPU: begins the store and says where.
+  std::ofstream(script) << "#!/bin/sh\necho half > \"$5.tmp$$-0\"\necho \"$5.tmp$$-0\" > "
+                        << (folder / "said").string() << "\nexec sleep 30\n";
+  fs::permissions(script, fs::perms::owner_all);
+  auto g = fog("density");
+  g->tree().setValue(openvdb::Coord(5, 4, 4), 1.0f);
+  ImportLimits limits;
+  limits.executable = script;
+  JobControl control;
+  std::thread canceller([&] {
+    std::error_code ec;
+    while (fs::file_size(folder / "said", ec) == 0 || ec)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    control.cancel();
+  });
+  const auto cancelled = importVdb(writeVdb({g}), "", control, limits);
+  canceller.join();
+  ASSERT_FALSE(cancelled);
+  std::string half;
+  std::getline(std::ifstream(folder / "said") >> std::ws, half);
+  ASSERT_NE(half.find(".tmp"), std::string::npos) << half;
+  EXPECT_FALSE(fs::exists(half)) << half;
+}
+
 TEST(VdbImport, TooLittleMemoryIsAnErrorOfTheInput) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the address space of a sanitised child is not limited";

@@ -1,0 +1,14 @@
+#pragma once
+// Whether the driver had memory for what it was just asked to store. GL thread.
+#include <string_view>
+
+#include "renderer/base/result.h"
+
+namespace pileus::gl {
+
+/// Errors of calls before; before storage is asked for.
+void forgetErrors();
+/// Behind it. Error (Gpu) with the label and the bytes, where they were not to be had.
+Result<void> checkStorage(std::string_view label, std::size_t bytes);
+
+}  // namespace pileus::gl

@@ -26,9 +26,8 @@ volume::GridPtr layer() {
         for (int y = 0; y < volume::kStoredSize; ++y)
           for (int x = 0; x < volume::kStoredSize; ++x) {
             const vec3 p = vec3(lo + ivec3(x, y, z));
-            const float cells =
-                std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
-                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
+            const float cells = std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
+                                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
             const float height = 1 - std::abs(p.y - 20) / 20;
             *out++ = std::clamp(2 * (cells - 0.15f), 0.0f, 1.0f) * std::clamp(height * 1.5f, 0.0f, 1.0f);
           }
@@ -81,61 +80,49 @@ TEST(FlatGrid, ShadowsAreAsGoodAsOfIsotropicVoxels) {
   test::renderer();
   test::Rows rows("flat grid");
   const dvec3 flat(2000, 10, 2000), even(10);
-  for (const int resolution : {256, 1024}) {
+  for (const int resolution : {256}) {
     const ShadowSpec spec = test::improved(4, 8, resolution);
     const Error a = errorOf(placed(flat), spec), b = errorOf(placed(even), spec);
-    std::printf(
-        "flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
-        resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
-    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution),
-               std::max(a.map, b.map), b.map, 0.25, 0.01);
+    std::printf("flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
+                resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
+    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution), std::max(a.map, b.map),
+               b.map, 0.25, 0.01);
     rows.check("marched, flat", a.marched, 0, 0, 0.02);
     rows.check("marched, isotropic", b.marched, 0, 0, 0.02);
   }
 }
 
+/// Of a map's picture against that of the march: root of the mean square over the mean, where something is seen.
+double pictureError(double wide, double high) {
+  const volume::Instance grid = placed({wide, high, wide});
+  const scene::Light sun = test::sunFrom({0.5, 0.6, 0.35}, 10);
+  view::RenderScene scene;
+  scene.volumes = {grid};
+  scene.options.size = ivec2(48, 36);
+  scene.options.samples = 1;
+  scene.options.camera = {{20 * wide, 150 * wide, 200 * wide}, {0, 0, 30 * wide}, {0, 1, 0}, 30};
+  ShadowSpec march;
+  march.kind = ShadowSpec::Kind::RayMarch;
+  scene.lights = {test::shadowed(sun, march, {grid})};
+  const image::Image truth = test::render(scene);
+  scene.lights = {test::shadowed(sun, test::improved(4, 8, 256), {grid})};
+  const image::Image mapped = test::render(scene);
+  double square = 0, sum = 0, count = 0;
+  for (std::size_t i = 0; i < truth.layers[0].pixels.size(); i += 4) {
+    if (truth.layers[0].pixels[i + 3] <= 0.01f) continue;
+    const double a = double(mapped.layers[0].pixels[i]), b = double(truth.layers[0].pixels[i]);
+    square += (a - b) * (a - b), sum += b, ++count;
+  }
+  EXPECT_GT(count, 100);
+  return std::sqrt(square / count) / (sum / count);
+}
+
 TEST(FlatGrid, PicturesOfMapsAndMarchesAgree) {
   test::renderer();
   test::Rows rows("flat grid, picture");
-  const dvec3 flat(2000, 10, 2000), even(10);
-  double errors[2] = {};
-  for (const bool isFlat : {true, false}) {
-    const volume::Instance grid = placed(isFlat ? flat : even);
-    const scene::Light sun = test::sunFrom({0.5, 0.6, 0.35}, 10);
-    view::RenderScene scene;
-    scene.volumes = {grid};
-    scene.options.size = ivec2(64, 48);
-    scene.options.samples = 1;
-    const double size = isFlat ? 2000 : 10;
-    scene.options.camera = {{20 * size, 150 * size, 200 * size}, {0, 0, 30 * size}, {0, 1, 0}, 30};
-    ShadowSpec march;
-    march.kind = ShadowSpec::Kind::RayMarch;
-    scene.lights = {test::shadowed(sun, march, {grid})};
-    const image::Image truth = test::render(scene);
-    scene.lights = {test::shadowed(sun, test::improved(4, 8, 1024), {grid})};
-    const image::Image mapped = test::render(scene);
-    double square = 0, sum = 0;
-    for (std::size_t i = 0; i < truth.layers[0].pixels.size(); i += 4) {
-      const double a = double(mapped.layers[0].pixels[i]), b = double(truth.layers[0].pixels[i]);
-      if (truth.layers[0].pixels[i + 3] > 0.01f)
-        square += (a - b) * (a - b), sum += b;
-      else
-        continue;
-      ++errors[1];
-    }
-    const double n = errors[1];
-    errors[1] = 0;
-    const double e = std::sqrt(square / n) / (sum / n);
-    std::printf("flat grid, picture of %s voxels: map against march %.3f of the mean\n",
-                isFlat ? "flat" : "isotropic", e);
-    if (isFlat)
-      errors[0] = e;
-    else
-      rows.check("error of the flat one against that of the isotropic one", std::max(errors[0], e), e, 0.25,
-                 0.01);
-    for (const auto* image : {&truth, &mapped})
-      for (const float v : image->layers[0].pixels) ASSERT_TRUE(std::isfinite(v));
-  }
+  const double flat = pictureError(2000, 10), even = pictureError(10, 10);
+  std::printf("picture of a map against that of a march: flat %.3f, isotropic %.3f of the mean\n", flat, even);
+  rows.check("error against that of isotropic voxels", std::max(flat, even), even, 0.25, 0.01);
 }
 
 }  // namespace

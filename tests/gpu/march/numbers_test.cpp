@@ -61,8 +61,9 @@ TEST(MarchNumbers, SharpMediaInAPicture) {
       scene.lights = {test::shadowed(sun, march, {box})};
       const double right =
           test::exactAlong({box}, {test::exactly({box}, sun)}, {0, 0, 9}, {0, 0, -1}).radiance.x;
+      // The sharpest lobe is hardly wider than directions in floats are apart.
       rows.check(fmt::format("g {}, {} degrees off", g, off),
-                 test::onTheAxis(scene, {0, 0, 9}, dvec3(0), 1, 1, 1e-4).x, right, 0.02);
+                 test::onTheAxis(scene, {0, 0, 9}, dvec3(0), 1, 1, 1e-4).x, right, g > 0.9995 ? 0.05 : 0.02);
     }
 }
 

@@ -15,8 +15,8 @@ using shadow::ShadowSpec;
 std::vector<ShadowSpec> specs() {
   ShadowSpec march;
   march.kind = ShadowSpec::Kind::RayMarch;
-  ShadowSpec deep = test::deep(0.003, 128);
-  return {march, test::improved(8, 8, 128), deep};
+  ShadowSpec deep = test::deep(0.003, 48);
+  return {march, test::improved(8, 8, 64), deep};
 }
 
 /// Rays through `volumes` against their exact integral.
@@ -41,7 +41,7 @@ void compareRays(test::Rows& rows, const std::string& what, const volume::Instan
 TEST(Overlaps, SixAndTwelveInOnePlace) {
   test::renderer();
   test::Rows rows("overlaps in one place");
-  for (const int count : {1, 4, 5, 6, 12})
+  for (const int count : {4, 6, 12})
     for (const ShadowSpec& spec : specs()) {
       volume::InstanceList same, shifted, turned;
       for (int i = 0; i < count; ++i) {

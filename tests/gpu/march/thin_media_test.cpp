@@ -29,7 +29,7 @@ volume::Instance sheet(double thickness, bool grid, double offset = 0, double de
 
 /// Each pixel against the exact chord.
 void comparePixels(test::Rows& rows, const std::string& what, const volume::InstanceList& volumes,
-                   const dvec3& eye, const dvec3& target, double stepScale) {
+                   const dvec3& eye, const dvec3& target, double stepScale, double allowed) {
   view::RenderOptions o;
   o.size = ivec2(7);
   o.samples = 1;
@@ -46,19 +46,22 @@ void comparePixels(test::Rows& rows, const std::string& what, const volume::Inst
       if (!(std::abs(seen - right) <= worst)) worst = std::abs(seen - right), have = seen, want = right;
     }
   if (worst == 0) have = want = 1;
-  rows.check(what, have, want, 0, 2e-3);
+  rows.check(what, have, want, 0, allowed);
 }
+
+/// Steps of a voxel or more cut its ramps of one voxel short, whatever the distance.
+double allowedFor(bool grid, double step) { return !grid || step < 1 ? 2e-3 : step > 1 ? 0.025 : 0.01; }
 
 /// Views a sheet from several sides, never along it.
 void compareViews(test::Rows& rows, const std::string& what, const volume::InstanceList& volumes,
-                  const std::vector<double>& steps) {
+                  const std::vector<double>& steps, bool grid) {
   for (const double off : {0.0, 17.0, 45.0, 70.0})
     for (const double around : {10.0, 130.0, 251.0}) {
       const double a = glm::radians(off), b = glm::radians(around);
       const dvec3 towards(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
       for (const double step : steps)
         comparePixels(rows, fmt::format("{}, {} degrees off, {} around, step {}", what, off, around, step),
-                      volumes, kDistance * towards, dvec3(0.013, 0, -0.021), step);
+                      volumes, kDistance * towards, dvec3(0.013, 0, -0.021), step, allowedFor(grid, step));
       if (off == 0) break;
     }
 }
@@ -67,8 +70,8 @@ TEST(ThinMedia, OneAnalyticSheet) {
   test::renderer();
   test::Rows rows("one analytic sheet");
   for (const double part : {1 / 500.0, 1 / 5000.0, 1 / 50000.0, 1e-5, 1e-6})
-    compareViews(rows, fmt::format("thickness {:.1g} of the distance", part),
-                 {sheet(part * kDistance, false)}, {0.05, 1, 4});
+    compareViews(rows, fmt::format("thickness {:.1g} of the distance", part), {sheet(part * kDistance, false)},
+                 {0.05, 1, 4}, false);
 }
 
 TEST(ThinMedia, OneSheetOfVoxels) {
@@ -76,7 +79,7 @@ TEST(ThinMedia, OneSheetOfVoxels) {
   test::Rows rows("one sheet of voxels");
   for (const double part : {1 / 500.0, 1 / 5000.0, 1 / 50000.0, 1e-5, 1e-6})
     compareViews(rows, fmt::format("thickness {:.1g} of the distance", part), {sheet(part * kDistance, true)},
-                 {0.05, 0.5, 1, 4});
+                 {0.05, 0.5, 1, 4}, true);
 }
 
 TEST(ThinMedia, OverlappingSheets) {
@@ -85,10 +88,8 @@ TEST(ThinMedia, OverlappingSheets) {
   for (const double part : {1 / 500.0, 1e-3, 1e-4})
     for (const bool grid : {false, true}) {
       const double h = part * kDistance;
-      compareViews(
-          rows,
-          fmt::format("two, thickness {:.1g} of the distance, {}", part, grid ? "grid and box" : "boxes"),
-          {sheet(h, grid, 0, 0.5), sheet(h, false, 0.37 * h, 0.5)}, {0.05, 1, 4});
+      compareViews(rows, fmt::format("two, thickness {:.1g} of the distance, {}", part, grid ? "grid and box" : "boxes"),
+                   {sheet(h, grid, 0, 0.5), sheet(h, false, 0.37 * h, 0.5)}, {0.05, 1, 4}, grid);
     }
 }
 
@@ -102,17 +103,15 @@ TEST(ThinMedia, SmallCubesFarAway) {
         for (const dvec3& towards : {dvec3(1, 0, 0), dvec3(0.5, 0.3, 0.8), dvec3(-0.2, 0.9, 0.4)}) {
           const double edge = part * kDistance;
           volume::Instance cube = grid ? sheet(edge, true) : test::box({0, 0, 0}, dvec3(edge), 1 / edge);
-          if (grid)
-            cube.worldFromLocal =
-                glm::scale(dmat4(1.0), dvec3(edge / 16)) * glm::translate(dmat4(1.0), dvec3(-7.5));
+          if (grid) cube.worldFromLocal = glm::scale(dmat4(1.0), dvec3(edge / 16)) * glm::translate(dmat4(1.0), dvec3(-7.5));
           const dvec3 eye = kDistance * glm::normalize(towards);
           view::RenderScene scene;
           scene.volumes = {cube};
           const double right = -std::expm1(-shadow::opticalDepth(scene.volumes, eye, -eye));
           const dvec4 seen = test::onTheAxis(scene, eye, dvec3(0), 1, step, 1e-4);
-          rows.check(fmt::format("edge {:.1g} of the distance, grid {}, step {}, from ({}, {}, {})", part,
-                                 grid, step, towards.x, towards.y, towards.z),
-                     seen.w, right, 0, 2e-3);
+          rows.check(fmt::format("edge {:.1g} of the distance, grid {}, step {}, from ({}, {}, {})", part, grid, step,
+                                 towards.x, towards.y, towards.z),
+                     seen.w, right, 0, allowedFor(grid, step));
         }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 // Programs by entry file and defines, compiled once. Sources are embedded; with $PILEUS_SHADERS naming the
 // shaders folder they are read from disk instead and reload() picks up edits. Driver messages are given back
-// with file names and lines. GL thread.
+// with file names and lines. $PILEUS_SHADER_SOURCES names a folder into which goes what was compiled, as the
+// driver got it: PROGRAM.comp, or PROGRAM.vert and PROGRAM.frag. GL thread.
 #include <epoxy/gl.h>
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -51,6 +53,15 @@ class Program {
   std::map<std::string, GLint, std::less<>> locations_;
 };
 
+/// What a driver is given for an entry: one text, with includes put in.
+struct ShaderSource {
+  std::string text;
+  std::vector<std::string> files;  ///< by the numbers that #line and a compiler's messages call them
+};
+
+/// Names of files for their numbers in a compiler's messages.
+std::string withFileNames(const std::string& messages, const std::vector<std::string>& files);
+
 class ShaderLibrary {
  public:
   /// entries: "view/volume_render.comp.glsl", or a .vert and a .frag. The reference stays valid for the
@@ -61,8 +72,14 @@ class ShaderLibrary {
   Result<Program*> program(const std::vector<std::string>& entries, const Defines& defines,
                            std::string_view extra, std::string_view extraKey);
   void reload() { programs_.clear(); }
-  /// Every entry file (for the test that compiles them all).
+  /// Every entry file (for the tests that compile them all).
   static std::vector<std::string> entries();
+  /// `extra` is inserted before the entry's body. Needs no context.
+  static Result<ShaderSource> source(const std::string& entry, const Defines& defines,
+                                     std::string_view extra = {});
+  /// What $PILEUS_SHADER_SOURCES would get of that program. Needs no context.
+  static Result<void> writeSources(const std::filesystem::path& folder,
+                                   const std::vector<std::string>& entries, const Defines& defines);
 
  private:
   std::map<std::string, Program> programs_;

@@ -7,6 +7,8 @@
 namespace pileus::view {
 namespace {
 
+static_assert(MAX_LIGHTS * sizeof(gpu::LightRecord) <= 16384, "what a uniform block is guaranteed");
+
 const scene::Light kNoLight{.towards = {0, 1, 0}, .emitted = vec3(0.0f)};
 
 gpu::SolidRecord makeRecord(const scene::Solid& solid, const dvec3& origin) {

@@ -2,6 +2,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "renderer/gl/shader_library.h"
@@ -42,21 +43,8 @@ const gl::Defines kWidest = {{"METRIC_FLOATS", 8},
                              {"LIGHTS", 0},
                              {"SHAPES", 7}};
 
-TEST(Shaders, EveryEntryCompiles) {
-  test::renderer();
-  gl::ShaderLibrary library;
-  for (const std::string& entry : gl::ShaderLibrary::entries()) {
-    std::vector<std::string> stages{entry};
-    if (entry.find(".vert.") != entry.npos) continue;  // compiled with their fragment shader
-    if (const auto at = entry.find(".frag."); at != entry.npos)
-      stages.insert(stages.begin(), entry.substr(0, at) + ".vert.glsl");
-    const auto program = library.program(stages, kWidest);
-    EXPECT_TRUE(program) << program.error().message;
-  }
-}
-
-/// Units of the samplers that are left in a program.
-std::vector<int> unitsOf(const gl::Program& program) {
+/// Units of the uniforms of these types that are left in a program.
+std::vector<int> unitsOf(const gl::Program& program, const std::set<GLenum>& types) {
   GLint count = 0;
   glGetProgramiv(program.id(), GL_ACTIVE_UNIFORMS, &count);
   std::vector<int> units;
@@ -65,19 +53,56 @@ std::vector<int> unitsOf(const gl::Program& program) {
     GLint size = 0;
     GLenum type = 0;
     glGetActiveUniform(program.id(), GLuint(i), sizeof name, nullptr, &size, &type, name);
-    const GLenum samplers[] = {GL_SAMPLER_1D,
-                               GL_SAMPLER_2D,
-                               GL_SAMPLER_3D,
-                               GL_SAMPLER_2D_ARRAY,
-                               GL_SAMPLER_BUFFER,
-                               GL_INT_SAMPLER_BUFFER,
-                               GL_UNSIGNED_INT_SAMPLER_2D_ARRAY,
-                               GL_UNSIGNED_INT_SAMPLER_BUFFER};
-    if (std::find(std::begin(samplers), std::end(samplers), type) == std::end(samplers)) continue;
+    if (!types.contains(type)) continue;
     glGetUniformiv(program.id(), glGetUniformLocation(program.id(), name), &units.emplace_back());
   }
   std::sort(units.begin(), units.end());
   return units;
+}
+
+const std::set<GLenum> kSamplers = {GL_SAMPLER_1D,
+                                    GL_SAMPLER_2D,
+                                    GL_SAMPLER_3D,
+                                    GL_SAMPLER_2D_ARRAY,
+                                    GL_SAMPLER_BUFFER,
+                                    GL_INT_SAMPLER_BUFFER,
+                                    GL_UNSIGNED_INT_SAMPLER_2D_ARRAY,
+                                    GL_UNSIGNED_INT_SAMPLER_BUFFER};
+const std::set<GLenum> kImages = {GL_IMAGE_2D, GL_IMAGE_2D_ARRAY, GL_UNSIGNED_INT_IMAGE_2D,
+                                  GL_UNSIGNED_INT_IMAGE_BUFFER};
+
+/// What OpenGL 4.5 guarantees of a stage; see gl::DeviceInfo.
+void expectGuaranteed(const gl::Program& program, bool compute) {
+  EXPECT_LE(unitsOf(program, kSamplers).size(), 16u);
+  EXPECT_LE(unitsOf(program, kImages).size(), 8u);
+  GLint blocks = 0;
+  glGetProgramInterfaceiv(program.id(), GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
+  EXPECT_LE(blocks, 8);
+  glGetProgramInterfaceiv(program.id(), GL_UNIFORM_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
+  for (GLint i = 0; i < blocks; ++i) {
+    GLint bytes = 0;
+    glGetActiveUniformBlockiv(program.id(), GLuint(i), GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+    EXPECT_LE(bytes, 16384);
+  }
+  if (!compute) return;
+  ivec3 group(0);
+  glGetProgramiv(program.id(), GL_COMPUTE_WORK_GROUP_SIZE, &group.x);
+  EXPECT_LE(group.x * group.y * group.z, 1024);
+}
+
+TEST(Shaders, EveryEntryCompilesWithinWhatIsGuaranteed) {
+  test::renderer();
+  gl::ShaderLibrary library;
+  for (const std::string& entry : gl::ShaderLibrary::entries()) {
+    std::vector<std::string> stages{entry};
+    if (entry.find(".vert.") != entry.npos) continue;  // compiled with their fragment shader
+    if (const auto at = entry.find(".frag."); at != entry.npos)
+      stages.insert(stages.begin(), entry.substr(0, at) + ".vert.glsl");
+    const auto program = library.program(stages, kWidest);
+    ASSERT_TRUE(program) << program.error().message;
+    SCOPED_TRACE(entry);
+    expectGuaranteed(**program, stages.size() == 1);
+  }
 }
 
 TEST(Shaders, MarchLeavesTextureUnits) {
@@ -87,7 +112,7 @@ TEST(Shaders, MarchLeavesTextureUnits) {
     const auto program = library.program({entry}, kWidest);
     ASSERT_TRUE(program) << program.error().message;
     // All that shared/bindings.h has for a march, and nothing that it calls free.
-    EXPECT_EQ(unitsOf(**program), (std::vector{0, 1, 2, 3, 5, 6, 7, 8, 9, 10})) << entry;
+    EXPECT_EQ(unitsOf(**program, kSamplers), (std::vector{0, 1, 2, 3, 5, 6, 7, 8, 9, 10})) << entry;
   }
 }
 

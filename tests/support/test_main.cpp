@@ -1,5 +1,5 @@
-// main() of every test: fails a test that logs an unexpected warning or error, and keeps caches out of the
-// user's home.
+// main() of every test: fails a test that logs an unexpected warning or error, or that compiles a shader the
+// reference compiler refuses, and keeps caches out of the user's home.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -7,6 +7,7 @@
 
 #include "renderer/base/log.h"
 #include "renderer/volume/vdb_child.h"
+#include "tests/support/reference_compiler.h"
 #include "tests/support/support.h"
 
 namespace {
@@ -25,6 +26,8 @@ class LogGuard : public testing::EmptyTestEventListener {
       ADD_FAILURE() << "unexpected warning in the log: " << (lines.empty() ? "" : lines.back().text);
     }
     allowed_ = 0;
+    const std::string refused = pileus::test::refusedPrograms(pileus::test::compiledPrograms());
+    if (!refused.empty()) ADD_FAILURE() << "the reference compiler refuses " << refused;
   }
   std::size_t before_ = 0;
 
@@ -58,6 +61,7 @@ int main(int argc, char** argv) {
   // Compiled shaders are kept for the next run, of this test or of another.
   const std::filesystem::path cache = std::filesystem::path(PILEUS_BINARY).parent_path() / "shader_cache";
   ::setenv("MESA_SHADER_CACHE_DIR", cache.c_str(), 0);
+  ::setenv("PILEUS_SHADER_SOURCES", pileus::test::compiledPrograms().c_str(), 0);
   testing::UnitTest::GetInstance()->listeners().Append(new LogGuard);
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,158 @@
+// The reference compiler takes every shader in its variants: each pair of values of two variant constants is
+// in one of them, and so are all least and all greatest values. What the scenes of tests ask for is checked
+// beside (tests/support/reference_compiler.h), whatever it is.
+#include <algorithm>
+#include <array>
+#include <random>
+#include <regex>
+#include <set>
+
+#include "renderer/gl/shader_library.h"
+#include "tests/support/reference_compiler.h"
+#include "tests/support/support.h"
+
+namespace pileus {
+namespace {
+
+constexpr int kAbsent = -1;  ///< not defined at all
+
+struct Constant {
+  const char* name;
+  std::vector<int> values;
+};
+
+/// All there are, with values that differ in what they compile. Where an entry reads a constant that is not
+/// here the compiler refuses it.
+const std::vector<Constant> kConstants = {{"SHAPES", {0, 1, 2, 3, 5, 7}},
+                                          {"ACTIVE", {1, 2, 4}},
+                                          {"OVERFLOW", {0, 1}},
+                                          {"EMISSION", {kAbsent, 0, 1}},
+                                          {"RESUME", {kAbsent, 0, 1}},
+                                          {"SOLIDS", {0, 1}},
+                                          {"LIGHTS", {0, 1, 3}},
+                                          {"DEPTH", {0, 1}},
+                                          {"LOCAL_LIGHTS", {0, 1}},
+                                          {"BLOCKERS", {0, 1}},
+                                          {"LIGHT_KINDS", {1, 2, 4, 6, 8, 16, 31}},
+                                          {"METRIC_FLOATS", {4, 8, 16, 32}},
+                                          {"BASIS_FLOATS", {1, 4, 7, 8, 16, 32}},
+                                          {"STORES", {1, 2, 3, 4, 6, 8, 15}},
+                                          {"WEIGHTS", {0, 1}},
+                                          {"HORIZON", {0, 1}},
+                                          {"LOOKUP_BASES", {0, 1, 2, 4, 8, 15}},
+                                          {"UNIFORM_MAPS", {kAbsent, 1}},
+                                          {"METRIC", {0, 1, 2, 3}},
+                                          {"METRIC_COUNT", {1, 4, 8}},
+                                          {"BASIS", {0, 1, 2, 3}},
+                                          {"COEFFICIENTS", {1, 4, 8}},
+                                          {"METRIC_STORE", {kAbsent, 0, 1, 2, 3}},
+                                          {"COEFFICIENT_STORE", {0, 1}},
+                                          {"STORE", {0, 1, 2, 3}},
+                                          {"INTERVALS", {1, 2, 4, 8}},
+                                          {"BRICKS", {0, 1}},
+                                          {"PROBES", {0, 64}},
+                                          {"DAMPING", {0, 1}},
+                                          {"PERSPECTIVE", {0, 1}},
+                                          {"BATCHED", {0, 1}},
+                                          {"STEP_HALVES", {1, 2}},
+                                          {"WINDOWED", {0, 1}},
+                                          {"FILL", {0, 1}},
+                                          {"FILTER", {1, 2, 4}},
+                                          {"TERMS", {4, 8, 16, 32}}};
+
+/// Those an entry reads, in itself or in what it includes.
+std::vector<Constant> constantsOf(const std::string& text) {
+  static const std::regex word("[A-Z][A-Z0-9_]+");
+  std::set<std::string> words;
+  for (std::sregex_iterator it(text.begin(), text.end(), word), end; it != end; ++it) words.insert(it->str());
+  std::vector<Constant> out;
+  std::copy_if(kConstants.begin(), kConstants.end(), std::back_inserter(out),
+               [&](const Constant& c) { return words.contains(c.name); });
+  return out;
+}
+
+/// Rows of places in the constants' values: every pair of values of any two constants is in one.
+std::vector<std::vector<std::size_t>> everyPair(const std::vector<Constant>& constants) {
+  using Row = std::vector<std::size_t>;
+  const std::size_t n = constants.size();
+  Row least(n, 0), greatest, first;  // first: number of a constant's first value among all
+  std::size_t values = 0, left = 0;
+  for (const Constant& c : constants) {
+    greatest.push_back(c.values.size() - 1);
+    first.push_back(values);
+    values += c.values.size();
+  }
+  std::vector<bool> open(values * values, false);
+  const auto pair = [&](std::size_t a, std::size_t i, std::size_t b, std::size_t j) {
+    return (first[a] + i) * values + first[b] + j;
+  };
+  std::vector<std::array<std::size_t, 4>> pairs;
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a + 1; b < n; ++b)
+      for (std::size_t i = 0; i <= greatest[a]; ++i)
+        for (std::size_t j = 0; j <= greatest[b]; ++j) {
+          pairs.push_back({a, i, b, j});
+          open[pair(a, i, b, j)] = true;
+          ++left;
+        }
+  std::vector<Row> rows;
+  const auto count = [&](const Row& row, bool close) {
+    std::size_t sum = 0;
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = a + 1; b < n; ++b) {
+        const std::size_t at = pair(a, row[a], b, row[b]);
+        sum += open[at];
+        if (close) open[at] = false;
+      }
+    return sum;
+  };
+  const auto take = [&](const Row& row) {
+    left -= count(row, true);
+    rows.push_back(row);
+  };
+  take(least);
+  if (greatest != least) take(greatest);
+  // Of some random rows with an open pair in each the one that closes most.
+  std::mt19937_64 random(5);
+  while (left > 0) {
+    std::erase_if(pairs, [&](const auto& p) { return !open[pair(p[0], p[1], p[2], p[3])]; });
+    Row best;
+    std::size_t most = 0;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      const auto& [a, i, b, j] = pairs[random() % pairs.size()];
+      Row row;
+      for (const Constant& c : constants) row.push_back(random() % c.values.size());
+      row[a] = i, row[b] = j;
+      if (const std::size_t here = count(row, false); here > most) best = row, most = here;
+    }
+    take(best);
+  }
+  return rows;
+}
+
+TEST(ShaderVariants, TheReferenceCompilerTakesThemAll) {
+  const std::filesystem::path folder = test::scratchFolder();
+  std::size_t programs = 0;
+  for (const std::string& entry : gl::ShaderLibrary::entries()) {
+    if (entry.find(".vert.") != entry.npos) continue;  // with its fragment shader
+    std::vector<std::string> stages{entry};
+    if (const auto at = entry.find(".frag."); at != entry.npos)
+      stages.insert(stages.begin(), entry.substr(0, at) + ".vert.glsl");
+    std::string all;
+    for (const std::string& s : stages) all += gl::ShaderLibrary::source(s, {}).value().text;
+    const std::vector<Constant> constants = constantsOf(all);
+    for (const std::vector<std::size_t>& row : everyPair(constants)) {
+      gl::Defines defines;
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (const int value = constants[i].values[row[i]]; value != kAbsent)
+          defines.emplace_back(constants[i].name, value);
+      ASSERT_TRUE(gl::ShaderLibrary::writeSources(folder, stages, defines));
+      ++programs;
+    }
+  }
+  EXPECT_GT(programs, 300u);
+  EXPECT_EQ(test::refusedPrograms(folder), "");
+}
+
+}  // namespace
+}  // namespace pileus

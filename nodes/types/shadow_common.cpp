@@ -1,6 +1,7 @@
 #include "nodes/types/shadow_common.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "nodes/types/passes.h"
 #include "renderer/shadow/shadow_pass.h"
@@ -18,6 +19,24 @@ int draftResolution(int resolution, const EvalContext& ctx) {
   if (ctx.quality() == Quality::Final) return resolution;
   if (ctx.draftTexels() > 0) return std::min(resolution, ctx.draftTexels());
   return std::min(resolution, ctx.renderer() && ctx.renderer()->device().software ? 128 : 256);
+}
+
+void warnOfThinMedia(const std::vector<scene::Light>& lights, const volume::InstanceList& media,
+                     int resolution, EvalContext& ctx) {
+  constexpr int kMost = 4096;  // of describeResolution()
+  for (const scene::Light& light : lights) {
+    const auto thin =
+        shadow::thinnestMedium(light, media, shadow::fitLight(light, media, resolution), resolution);
+    if (!thin) continue;
+    const double needed = std::ceil(thin->texel / thin->thickness * resolution / 64) * 64;
+    ctx.warn(
+        fmt::format("resolution: a texel is {:.3g} m wide, but a volume only {:.3g} m thick along the light: "
+                    "its shadow is blurred; {}",
+                    thin->texel, thin->thickness,
+                    needed <= kMost ? fmt::format("{:.0f} texels tell it apart", needed)
+                                    : "shadow.ray_march knows no texels"));
+    return;
+  }
 }
 
 namespace {
@@ -62,10 +81,13 @@ Result<ShadowOut> shadowed(const ShadowIn& in, EvalContext& ctx, const char* wha
     out.light.items.push_back({bare[i], map});
   }
   ctx.reportGpu(0, bytes);
-  if (queue->fraction < 1)
+  if (queue->fraction < 1) {
     ctx.pending(queue->fraction, what);
-  else
+  } else {
     noteDeep(queue->passes, ctx);
+    if (shadow::resolutionOf(in.spec) > 0)
+      warnOfThinMedia(bare, in.volumes.items, shadow::resolutionOf(in.spec), ctx);
+  }
   return out;
 }
 

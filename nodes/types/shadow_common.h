@@ -49,6 +49,11 @@ Result<std::vector<scene::Light>> lightsOf(const LightValue& value);
 /// What a draft makes of a map's resolution: at most 256 texels, 128 on a CPU.
 int draftResolution(int resolution, const EvalContext& ctx);
 
+/// Says on the node where a map of that resolution has texels wider than a medium is thick along the light,
+/// and what helps.
+void warnOfThinMedia(const std::vector<scene::Light>& lights, const volume::InstanceList& media,
+                     int resolution, EvalContext& ctx);
+
 /// Builds `in.spec` for every light and returns the lights with their shadows; pending with `what` until all
 /// are there.
 Result<ShadowOut> shadowed(const ShadowIn& in, EvalContext& ctx, const char* what);

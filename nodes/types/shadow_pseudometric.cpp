@@ -74,7 +74,10 @@ Result<Out> evaluate(const MetricIn& in, EvalContext& ctx) {
   }
   out.metric.solids = in.solids.items;
   ctx.reportGpu(0, bytes);
-  if (queue->fraction < 1) ctx.pending(queue->fraction, "Measuring media");
+  if (queue->fraction < 1)
+    ctx.pending(queue->fraction, "Measuring media");
+  else
+    warnOfThinMedia(lights, in.volumes.items, in.metric.resolution, ctx);
   return out;
 }
 

@@ -1,5 +1,8 @@
 #include "renderer/shadow/light_frustum.h"
 
+#include <array>
+#include <vector>
+
 namespace pileus::shadow {
 namespace {
 
@@ -21,7 +24,10 @@ LightFrustum fitSun(const scene::Light& sun, const volume::InstanceList& media, 
     }
   }
   if (box.empty()) box = {dvec3(-0.5), dvec3(0.5)};
-  dvec3 size = glm::max(box.size(), dvec3(1e-6 * (1.0 + glm::length(box.center()))));
+  // Of any size, but with one: no thinner than a millionth of its largest edge.
+  dvec3 size = box.size();
+  const double largest = std::max({size.x, size.y, size.z, 1e-12 * glm::length(box.center()), 1e-30});
+  size = glm::max(size, dvec3(1e-6 * largest));
   // Across: one texel of border on each side, the lower corner on a multiple of the texel size. Along: a hair
   // of room, so that no face lies exactly on the near or far plane.
   const double texels = std::max(resolution - 3, 1);
@@ -45,6 +51,45 @@ double distanceTo(const Box3& box, const dvec3& p) {
   return glm::length(glm::max(glm::max(box.min - p, p - box.max), dvec3(0)));
 }
 
+/// What of a box lies within a pyramid about +z with its tip at the origin.
+struct Seen {
+  double nearest = std::numeric_limits<double>::infinity();  ///< along z; none: infinite
+  double farthest = 0;                                       ///< from the tip
+};
+
+using Polygon = std::vector<dvec3>;
+
+/// The part of a convex polygon with dot(normal, p) >= 0 (Sutherland and Hodgman 1974).
+Polygon clipped(const Polygon& polygon, const dvec3& normal) {
+  Polygon out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double da = glm::dot(normal, a), db = glm::dot(normal, b);
+    if (da >= 0) out.push_back(a);
+    if ((da < 0) != (db < 0)) out.push_back(a + (b - a) * (da / (da - db)));
+  }
+  return out;
+}
+
+/// `corners` as Box3::corner() counts them, in the pyramid's space. Whatever of the box is in the pyramid is
+/// spanned by what is left of its faces, and by the tip, if that is inside.
+Seen within(const std::array<dvec3, 8>& corners, double tanHalf) {
+  const dvec3 sides[] = {{-1, 0, tanHalf}, {1, 0, tanHalf}, {0, -1, tanHalf}, {0, 1, tanHalf}};
+  constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+  Seen seen;
+  for (const auto& face : kFaces) {
+    Polygon polygon;
+    for (const int c : face) polygon.push_back(corners[std::size_t(c)]);
+    for (const dvec3& side : sides) polygon = clipped(polygon, side);
+    for (const dvec3& p : polygon) {
+      seen.nearest = std::min(seen.nearest, p.z);
+      seen.farthest = std::max(seen.farthest, glm::length(p));
+    }
+  }
+  return seen;
+}
+
 LightFrustum fitLocal(const scene::Light& light, const volume::InstanceList& media) {
   LightFrustum out;
   out.kind = light.kind;
@@ -57,12 +102,25 @@ LightFrustum fitLocal(const scene::Light& light, const volume::InstanceList& med
     out.tanHalf = 1.01 * std::tan(glm::radians(std::min(light.cone, 179.0)) / 2);
   }
   out.worldFromLight = dmat4(dvec4(right, 0), dvec4(down, 0), dvec4(along, 0), dvec4(light.position, 1));
+  // A spot's light rays meet only what lies in the pyramid of its map.
+  const bool spot = light.kind == scene::LightKind::Spot;
+  const dmat4 lightFromWorld = glm::inverse(out.worldFromLight);
   double near = std::numeric_limits<double>::infinity(), far = 0;
   for (const volume::Instance& i : media) {
     const Box3 box = volume::worldBounds(i);
     if (box.empty() || i.emission) continue;
-    near = std::min(near, distanceTo(box, light.position));
-    for (int c = 0; c < 8; ++c) far = std::max(far, glm::length(box.corner(c) - light.position));
+    std::array<dvec3, 8> corners;
+    for (int c = 0; c < 8; ++c) corners[std::size_t(c)] = dvec3(lightFromWorld * dvec4(box.corner(c), 1.0));
+    double nearest = distanceTo(box, light.position), farthest = 0;
+    if (spot) {
+      const Seen seen = within(corners, out.tanHalf);
+      if (!(seen.farthest > 0)) continue;
+      if (nearest > 0) nearest = std::max(nearest, seen.nearest);
+      farthest = seen.farthest;
+    } else {
+      for (const dvec3& corner : corners) farthest = std::max(farthest, glm::length(corner));
+    }
+    near = std::min(near, nearest), far = std::max(far, farthest);
   }
   if (far <= 0) near = 0, far = 1;
   out.nearDistance = 0.999 * near;
@@ -102,6 +160,27 @@ MapSegment mapSegment(const LightFrustum& f, int face, dvec2 uv, int resolution)
   }
   const dvec3 d = glm::normalize(dvec3(f.worldFromLight * dvec4(q, 0))), origin(f.worldFromLight[3]);
   return {origin + f.nearDistance * d, origin + f.farDistance * d};
+}
+
+std::optional<ThinMedium> thinnestMedium(const scene::Light& light, const volume::InstanceList& media,
+                                         const LightFrustum& f, int resolution) {
+  std::optional<ThinMedium> worst;
+  for (const volume::Instance& i : media) {
+    const Box3 local = volume::localBounds(i);
+    if (i.shape != volume::Shape::Grid || local.empty() || i.emission) continue;
+    const dvec3 middle(i.worldFromLocal * dvec4(local.center(), 1));
+    const dvec3 towards = f.perspective() ? light.position - middle : light.towards;
+    const double away = glm::length(towards);
+    if (!(away > 0) || !(std::abs(glm::determinant(glm::dmat3(i.worldFromLocal))) > 0)) continue;
+    const dvec3 d(glm::inverse(i.worldFromLocal) * dvec4(towards / away, 0));
+    const auto chord = intersectBox(local.center(), d, local.min, local.max);
+    if (!chord) continue;
+    const ThinMedium here{chord->y - chord->x,
+                          f.perspective() ? 2 * f.tanHalf * away / resolution : f.texelSize(resolution)};
+    if (here.thickness >= here.texel) continue;
+    if (!worst || here.texel * worst->thickness > worst->texel * here.thickness) worst = here;
+  }
+  return worst;
 }
 
 }  // namespace pileus::shadow

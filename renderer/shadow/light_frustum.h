@@ -1,6 +1,7 @@
 #pragma once
 // The volume of light rays a shadow map covers: (u, v) across the light, x in [0,1] along it.
 #include <algorithm>
+#include <optional>
 
 #include "renderer/scene/light.h"
 #include "renderer/volume/instance.h"
@@ -46,7 +47,17 @@ MapSegment mapSegment(const LightFrustum& frustum, int face, dvec2 uv, int resol
 
 /// Sun: the smallest frustum of a fixed rotation about the media, its origin snapped to texels so that a
 /// moving volume does not make the map crawl; empty media: a unit cube about the origin. Point and spot: from
-/// the nearest to the farthest point of the media's bounds.
+/// the nearest to the farthest point of the media's bounds; a spot's only of what lies in its map's pyramid,
+/// the near end being no farther than that.
 LightFrustum fitLight(const scene::Light& light, const volume::InstanceList& media, int resolution);
+
+/// A voxel grid that a map's texels are too wide for: one is as wide as `texel`, and the grid no thicker than
+/// `thickness` [m] where the light goes through its middle.
+struct ThinMedium {
+  double thickness = 0, texel = 0;
+};
+/// The one that suffers most, if any does. Exact shapes never do: a map's ends are straight between texels.
+std::optional<ThinMedium> thinnestMedium(const scene::Light& light, const volume::InstanceList& media,
+                                         const LightFrustum& frustum, int resolution);
 
 }  // namespace pileus::shadow

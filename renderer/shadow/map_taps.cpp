@@ -67,6 +67,13 @@ Blend blendOf(const ShadowMap& map, int face, ivec2 base) {
   return lowBit(1) ? Blend::Columns : Blend::Rows;
 }
 
+double intervalsEnd(const std::vector<double>& m) {
+  double end = 0;
+  for (std::size_t j = 0; j + 1 < m.size(); j += 2)
+    if (m[j + 1] > m[j]) end = std::max(end, m[j + 1]);
+  return end;
+}
+
 MapTap readTap(const ShadowMap& map, int face, dvec2 uv) {
   MapTap tap;
   tap.coefficients = sample(*map.block, face, uv);
@@ -78,10 +85,11 @@ MapTap readTap(const ShadowMap& map, int face, dvec2 uv) {
   if (map.metric->weights) {
     tap.weights = sample(*map.metric->weights, face, uv);
     tap.weights.resize(std::size_t(o.intervals));
+    for (double& w : tap.weights) w = w * w * w * w;  // their fourth roots are stored
   }
   if (map.horizon) {
     const std::vector<double> h = sample(*map.horizon, face, uv);
-    tap.horizonTau = h[0], tap.horizonEnd = h[1];
+    tap.horizonTau = h[0], tap.horizonEnd = intervalsEnd(tap.metric) + h[1];
   }
   return tap;
 }
@@ -93,13 +101,6 @@ void readVertices(const ShadowMap& map, MapTaps& out) {
   const uvec2 header = map.deep->read(at, 1).front();
   for (const uvec2 v : map.deep->read(header.x, header.y))
     out.vertices.push_back({double(std::bit_cast<float>(v.x)), double(std::bit_cast<float>(v.y))});
-}
-
-double intervalsEnd(const std::vector<double>& m) {
-  double end = 0;
-  for (std::size_t j = 0; j + 1 < m.size(); j += 2)
-    if (m[j + 1] > m[j]) end = std::max(end, m[j + 1]);
-  return end;
 }
 
 std::vector<double> unmuted(const MapTap& tap, std::span<const char> muted) {
@@ -125,7 +126,7 @@ double tapTransmittance(const ShadowMap& map, const MapTap& tap, std::span<const
     const double end = intervalsEnd(tap.metric);
     if (x > end)
       tau += std::max(tap.horizonTau - tau, 0.0) *
-             std::clamp((x - end) / std::max(tap.horizonEnd - end, 1e-6), 0.0, 1.0);
+             std::clamp((x - end) / std::max(tap.horizonEnd - end, 1e-7), 0.0, 1.0);
   }
   return std::exp(-tau);
 }

@@ -41,7 +41,7 @@ double metricU(Metric metric, std::span<const double> m, double x, std::span<con
       }
       break;
   }
-  return whole > (metric == Metric::Interval ? 1e-6 / 255 : 1e-6) ? std::clamp(g / whole, 0.0, 1.0) : 0.0;
+  return whole > (metric == Metric::Interval ? 1e-14 : 1e-6) ? std::clamp(g / whole, 0.0, 1.0) : 0.0;
 }
 
 Piece pieceOf(std::span<const double> m, double x) {

@@ -22,7 +22,8 @@ struct ShadowMap {
   LightFrustum frustum;                           ///< Deep too
   std::shared_ptr<const PseudometricMap> metric;  ///< null: Euclidean
   std::shared_ptr<const ShadowBlock> block;
-  std::shared_ptr<const ShadowBlock> horizon;  ///< (tau in all, last exit) where the metric has a horizon
+  std::shared_ptr<const ShadowBlock>
+      horizon;  ///< (tau in all, x from there to the last exit) where the metric has a horizon
   // Deep
   std::shared_ptr<const DeepBlock> deep;
   // RayMarch

@@ -13,10 +13,14 @@
 
 int mixedChannel(int coefficients) { return min(coefficients, 4) - 1; }
 
-// Subnormal halves are avoided: storing one may flush it, bit and all.
+// Subnormal numbers are avoided, halves and floats: storing or reading one may flush it, bit and all.
 float withLowBit(float c, bool on, int store) {
   uint bit = on ? 1u : 0u;
-  if (store == STORE_FLOAT) return uintBitsToFloat((floatBitsToUint(c) & ~1u) | bit);
+  if (store == STORE_FLOAT) {
+    uint f = floatBitsToUint(c);
+    if ((f & 0x7F800000u) == 0u) f = (f & 0x80000000u) | 0x00800000u;  // the smallest normal float, 1e-38
+    return uintBitsToFloat((f & ~1u) | bit);
+  }
   uint h = packHalf2x16(vec2(c, 0.0)) & 0xFFFFu;
   if ((h & 0x7C00u) == 0u) h = (h & 0x8000u) | 0x0400u;  // the smallest normal half, 6e-5
   return unpackHalf2x16((h & ~1u) | bit).x;

@@ -63,7 +63,8 @@ bvec4 lowBits(ivec4 place, int store, vec2 texel, int layer) {
 #endif
 }
 
-// Metric values and interval weights of a light at `at` [texels of the metric's block] of a face.
+// Metric values and interval weights (as stored: fourth roots) of a light at `at` [texels of the metric's
+// block] of a face.
 void loadMetricAt(int light, int face, vec2 at, out float m[METRIC_FLOATS], out float w[kIntervals]) {
   ivec4 place = lights[light].metric.place;
 #ifdef METRIC_STORE
@@ -86,7 +87,7 @@ void loadMetricAt(int light, int face, vec2 at, out float m[METRIC_FLOATS], out 
     vec4 v = textureLod(
         shadowByte,
         storeCoordinates(weightsPlace, at, min(i / 4, weightLayers - 1), textureSize(shadowByte, 0)), 0.0);
-    for (int j = 0; j < 4 && i + j < kIntervals; ++j) w[i + j] = has ? v[j] : 1.0;
+    for (int j = 0; j < 4 && i + j < kIntervals; ++j) w[i + j] = has ? (v[j] * v[j]) * (v[j] * v[j]) : 1.0;
   }
 #endif
 }

@@ -77,7 +77,7 @@ float extinctionTau(int light, int face, vec2 at, float x, out bool covers) {
                         storeCoordinates(lights[light].horizon, at, face, textureSize(shadowPair, 0)), 0.0)
                  .xy;
     float end = intervalsEnd(m);
-    tau += x > end ? max(h.x - tau, 0.0) * clamp((x - end) / max(h.y - end, 1e-6), 0.0, 1.0) : 0.0;
+    tau += x > end ? max(h.x - tau, 0.0) * clamp((x - end) / max(h.y, 1e-7), 0.0, 1.0) : 0.0;
   }
 #endif
   return tau;

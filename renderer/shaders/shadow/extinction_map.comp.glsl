@@ -74,6 +74,6 @@ void main() {
   for (int i = 1; i < BASIS_FLOATS; ++i) front += i < count ? p.c[i] : 0.0;
 #endif
   imageStore(horizonTarget, ivec3(lights[0].horizon.xy + mt.texel, lights[0].horizon.w + mt.face),
-             vec4(min(front + p.behind, 65504.0), p.last, 0.0, 0.0));
+             vec4(min(front + p.behind, 65504.0), max(p.last - intervalsEnd(m), 0.0), 0.0, 0.0));
 #endif
 }

@@ -26,13 +26,7 @@ void main() {
     more = nextStep(march, T, a, b, depth);
     if (!more && !lastWindow()) break;
     float from = more ? a / ray.tMax : 1.0, to = more ? min(b / ray.tMax, 1.0) : 1.0;
-    // In pieces short against a basis period: sinc is a series.
-    int pieces = int(ceil((from - done) * 2.0 * float(BASIS_FLOATS) - 1e-4));
-    for (int piece = 0; piece < pieces; ++piece) {
-      float x0 = mix(done, from, float(piece) / float(pieces)),
-            x1 = mix(done, from, float(piece + 1) / float(pieces));
-      projectStep(BASIS, c, T * (x1 - x0), x0, x1);
-    }
+    projectStep(BASIS, c, T * max(from - done, 0.0), done, max(from, done));
     float mean = depth < 1e-3 ? 1.0 - 0.5 * depth : (1.0 - exp(-depth)) / max(depth, 1e-20);
     projectStep(BASIS, c, T * mean * max(to - from, 0.0), from, to);
     T *= exp(-depth);

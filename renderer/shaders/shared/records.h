@@ -71,7 +71,7 @@ struct LevelRecord {
 #define STORE_FLOAT 0
 #define STORE_HALF 1
 #define STORE_UNORM 2
-#define STORE_BYTE 3  // RGBA8: interval weights
+#define STORE_BYTE 3  // RGBA8: compact intervals; fourth roots of weights
 #define STORE_PAIR 4  // RG16F: horizons
 
 // Where a block of map layers lies in the shadow store.
@@ -102,7 +102,8 @@ struct LightRecord {
   BlockRecord metric;
   BlockRecord coefficients;
   ivec4 weights;  // place of the weights' layers (STORE_BYTE), edge and faces as the metric's
-  ivec4 horizon;  // place of (tau in all, last exit) (STORE_PAIR), edge and faces as the coefficients'
+  ivec4 horizon;  // place of (tau in all, x from the horizon to the last exit) (STORE_PAIR), edge and faces
+                  // as the coefficients'
 };
 
 // One opaque solid, SOLID_ROWS texels of the scene table.

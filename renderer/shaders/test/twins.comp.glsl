@@ -2,9 +2,10 @@
 #include "shared/bindings.h"
 #include "lib/intersect.glsl"
 #include "lib/metric.glsl"
+#include "lib/mixed_bit.glsl"
 #include "lib/phase.glsl"
 layout(local_size_x = 64) in;
-// Input record i: 64 floats; output record i: 40 floats.
+// Record i: IN_FLOATS of the input, OUT_FLOATS of the output.
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { float inputs[]; };
 layout(std430, binding = BIND_TEST_OUT) writeonly buffer Out { float outputs[]; };
 uniform int count, metric, metricCount, basis;
@@ -12,7 +13,7 @@ uniform int count, metric, metricCount, basis;
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
-  int a = i * 64, o = i * 40;
+  int a = i * IN_FLOATS, o = i * OUT_FLOATS;
   vec3 ro = vec3(inputs[a], inputs[a + 1], inputs[a + 2]),
        rd = vec3(inputs[a + 3], inputs[a + 4], inputs[a + 5]);
   vec2 box = intersectBox(ro, rd, vec3(-0.5), vec3(0.5)), ball = intersectBall(ro, rd);
@@ -26,9 +27,15 @@ void main() {
   outputs[o + 6] = metricFace(metric, i % 8, x);
   outputs[o + 7] = basisTau(basis, BASIS_FLOATS, c, basisPhase(basis, x));
   // Fewer than the variant has room for.
-  outputs[o + 17] = basisTau(basis, 1 + i % 7, c, basisPhase(basis, x));
-  outputs[o + 16] = basisValue(basis, BASIS_FLOATS, c, x);
+  outputs[o + 8] = basisTau(basis, 1 + i % (BASIS_FLOATS - 1), c, basisPhase(basis, x));
+  outputs[o + 9] = basisValue(basis, BASIS_FLOATS, c, x);
+  int pieces = int(inputs[a + 24]), piece = int(inputs[a + 25]);
+  outputs[o + 10] = pieceTau(BASIS_FLOATS, c, pieces, piece, x);
+  outputs[o + 11] = withLowBit(inputs[a + 28], i % 2 == 1, STORE_FLOAT);
+  outputs[o + 12] = withLowBit(inputs[a + 28], i % 2 == 1, STORE_HALF);
   for (int k = 0; k < BASIS_FLOATS; ++k) c[k] = 0.0;
   projectStep(basis, c, inputs[a + 9], inputs[a + 10], inputs[a + 11]);
-  for (int k = 0; k < BASIS_FLOATS; ++k) outputs[o + 8 + k] = c[k];
+  for (int k = 0; k < BASIS_FLOATS; ++k) outputs[o + 16 + k] = c[k], c[k] = 0.0;
+  projectPiece(c, inputs[a + 9], pieces, piece, inputs[a + 26], inputs[a + 27]);
+  for (int k = 0; k < BASIS_FLOATS; ++k) outputs[o + 16 + BASIS_FLOATS + k] = c[k];
 }

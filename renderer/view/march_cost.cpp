@@ -74,9 +74,10 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   constexpr double kDenseSteps = 64, kLooks = 3;
   const double most = kDenseSteps + kLooks * std::min(mostInTile(o.size, bounds, steps) + stretches,
                                                       STRETCH_MOST_STEPS * stretches);
-  double fixed = 2, shadows = 0;
+  double fixed = 2, shadows = 0, local = 0;
   for (const shadow::ShadowedLight& l : lights.lights()) {
     fixed += 2;
+    if (l.light.kind != scene::LightKind::Sun) local += 1;
     if (!l.shadow) continue;
     fixed += double(l.shadow->solids.size());
     (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
@@ -85,9 +86,13 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   fixed += overflow * double(lights.lights().size());
   residency::MarchCost cost;
   cost.stretch = longest + 2;
-  cost.step = int(overflow) + 1;
+  // A near light's place is looked at before each step, and the phase function at some angles towards it.
+  constexpr double kAngles = 32;
+  if (local > 0) fixed += double(lights.lights().size());
+  cost.step = int(overflow + (local > 0 ? double(lights.lights().size()) : 0)) + 1;
   cost.sample = int(fixed) + int(lights.drawnSolids());
-  cost.pixel = stretches * cost.stretch + (most + 1) * (cost.step + cost.sample + shadows);
+  cost.pixel = stretches * cost.stretch + (most + 1) * (cost.step + cost.sample + shadows) +
+               stretches * kAngles * local;
   return cost;
 }
 

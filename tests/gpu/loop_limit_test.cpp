@@ -83,6 +83,7 @@ view::RenderScene mixedScene(int lights) {
   view::RenderScene scene;
   scene.options.size = ivec2(48, 40);
   scene.options.samples = 2;
+  scene.options.stepScale = 2;  // without pauses it has to be within the limit
   scene.options.camera = {{1.5, 0.6, 4}, {0, -0.2, 0}, {0, 1, 0}, 40};
   for (int i = 0; i < 3; ++i) {
     volume::Instance v = block(48, 1, 0.5 + 0.3 * i, 1);

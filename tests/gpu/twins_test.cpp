@@ -1,9 +1,5 @@
-<<<<<<< HEAD
 // The shader's functions against their C++ twins on random inputs.
-=======
-// The shader's functions against their C++ twins on random inputs; every shader entry compiles.
 #include <bit>
->>>>>>> dc97afc (WIP maps)
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <random>
@@ -73,12 +69,11 @@ void compare(Metric metric, Basis basis, std::size_t terms = 8) {
   const int basisCode = basis == Basis::Cosine    ? BASIS_COSINE
                         : basis == Basis::Fourier ? BASIS_FOURIER
                                                   : BASIS_SLAB;
-  auto program = test::renderer().shaders().program(
-      {"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8},
-                                 {"BASIS_FLOATS", int(terms)},
-                                 {"WEIGHTS", 1},
-                                 {"IN_FLOATS", kIn},
-                                 {"OUT_FLOATS", kOut}});
+  auto program = test::renderer().shaders().program({"test/twins.comp.glsl"}, {{"METRIC_FLOATS", 8},
+                                                                               {"BASIS_FLOATS", int(terms)},
+                                                                               {"WEIGHTS", 1},
+                                                                               {"IN_FLOATS", kIn},
+                                                                               {"OUT_FLOATS", kOut}});
   ASSERT_TRUE(program) << program.error().message;
   gl::Buffer input, output;
   EXPECT_TRUE(input.assign(std::span<const float>(in)));
@@ -146,62 +141,5 @@ TEST(Twins, ManyTerms) {
       compare(Metric::Interval, basis, terms);
 }
 
-<<<<<<< HEAD
-=======
-TEST(Shaders, EveryEntryCompiles) {
-  test::renderer();
-  gl::ShaderLibrary library;
-  const gl::Defines defines = {{"METRIC_FLOATS", 8},
-                               {"BASIS_FLOATS", 8},
-                               {"STORES", 7},
-                               {"LIGHT_KINDS", 31},
-                               {"STORE", 1},
-                               {"INTERVALS", 4},
-                               {"BRICKS", 1},
-                               {"WEIGHTS", 1},
-                               {"HORIZON", 1},
-                               {"PROBES", 64},
-                               {"COEFFICIENTS", 8},
-                               {"DAMPING", 1},
-                               {"PERSPECTIVE", 1},
-                               {"STEP_HALVES", 2},
-                               {"LOOKUP_BASES", 15},
-                               {"RESUME", 1},
-                               {"BATCHED", 1},
-                               {"WINDOWED", 1},
-                               {"FILL", 1},
-                               {"FILTER", 2},
-                               {"SOLIDS", 1},
-                               {"TERMS", 4},
-                               {"IN_FLOATS", kIn},
-                               {"OUT_FLOATS", kOut},
-                               {"METRIC", METRIC_COSINE},
-                               {"METRIC_COUNT", 4},
-                               {"BASIS", BASIS_COSINE},
-                               {"ACTIVE", 4},
-                               {"OVERFLOW", 1},
-                               {"LIGHTS", 0},
-                               {"SHAPES", 3}};
-  for (const std::string& entry : gl::ShaderLibrary::entries()) {
-    std::vector<std::string> stages{entry};
-    if (entry.find(".vert.") != entry.npos) continue;  // compiled with their fragment shader
-    if (const auto at = entry.find(".frag."); at != entry.npos)
-      stages.insert(stages.begin(), entry.substr(0, at) + ".vert.glsl");
-    const auto program = library.program(stages, defines);
-    EXPECT_TRUE(program) << program.error().message;
-  }
-}
-
-TEST(Shaders, MessagesNameFileAndLine) {
-  test::renderer();
-  test::ExpectLogged expected;
-  gl::ShaderLibrary library;
-  const auto program = library.program({"shadow/lookup.comp.glsl"}, {},
-                                       "#define lookupTransmittance noSuchFunction(\n", "broken");
-  ASSERT_FALSE(program);
-  EXPECT_NE(program.error().message.find(".glsl:"), std::string::npos) << program.error().message;
-}
-
->>>>>>> dc97afc (WIP maps)
 }  // namespace
 }  // namespace pileus

@@ -56,7 +56,7 @@ Passage passageOf(int l, vec3 p, vec3 d, float ds) {
   float sum = integralOfFalloff(h, a, min(b, -inside)) + integralOfFalloff(h, max(a, inside), b);
   if (inside > 0.0) sum += max(min(b, inside) - max(a, -inside), 0.0) / (radius * radius);
   Passage q;
-  q.falloff = sum / ds;
+  q.falloff = sum / max(ds, 1e-30);
   q.angles = vec2(atan(a, h), atan(b, h));
   float mean = 0.5 * log((h * h + b * b) / (h * h + a * a)) / max(sum, 1e-30), square = ds / max(sum, 1e-30) - h * h;
   q.centre = clamp((mean - a) / ds, 0.0, 1.0);

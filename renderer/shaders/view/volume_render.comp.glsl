@@ -150,7 +150,7 @@ bool addScattered(Stretch s, StretchSample x) {
       Passage q = passage(l, from, s.d, x.ds);
       float part = openTo(l, middle) * q.falloff * meanReaching(reached[l], reaches, depthOf(x), q);
       vec3 source = part * lights[l].emitted.rgb * scattering(s, x, l, q);
-      sum += begin || paused ? vec3(0.0) : source;
+      sum += begin || paused || x.sigma <= 0.0 ? vec3(0.0) : source;
       reached[l] = paused ? reached[l] : reaches;
     }
     ++l;

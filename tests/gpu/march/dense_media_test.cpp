@@ -16,7 +16,7 @@ using shadow::ShadowSpec;
 constexpr double kWide = 60;  // metres, far more than light travels sideways at 85 degrees
 constexpr double kSigmas[] = {1, 10, 100, 1000, 1e4};
 constexpr double kOff[] = {0, 60, 85};  // degrees off the normal of the face that is looked at
-const dvec3 kEye(0, 0, 2.5);  // near: in floats a place ten metres away is known to a micrometre
+const dvec3 kEye(0, 0, 2.5);            // near: in floats a place ten metres away is known to a micrometre
 
 volume::Instance slab(double sigma, double z = 0) { return test::box({0, 0, z}, {kWide, kWide, 1}, sigma); }
 
@@ -37,8 +37,8 @@ volume::Instance gridSlab(double sigma) {
   volume::Instance i;
   i.shape = volume::Shape::Grid;
   i.grid = grid;
-  i.worldFromLocal = glm::scale(dmat4(1.0), dvec3(1.0 / 8)) *
-                     glm::translate(dmat4(1.0), dvec3(-239.5, -239.5, -3.5));
+  i.worldFromLocal =
+      glm::scale(dmat4(1.0), dvec3(1.0 / 8)) * glm::translate(dmat4(1.0), dvec3(-239.5, -239.5, -3.5));
   i.medium.extinction = sigma;
   return i;
 }
@@ -67,7 +67,8 @@ view::RenderScene sceneOf(const volume::InstanceList& volumes, const shadow::Sha
   return scene;
 }
 
-void compareSlab(const char* table, const std::function<volume::Instance(double)>& make, const ShadowSpec& spec) {
+void compareSlab(const char* table, const std::function<volume::Instance(double)>& make,
+                 const ShadowSpec& spec) {
   test::renderer();
   test::Rows rows(table);
   for (const double sigma : kSigmas)
@@ -105,8 +106,14 @@ TEST(DenseMedia, TheQuadratureAgreesWithTheClosedForm) {
       }
 }
 
-TEST(DenseMedia, BoxUnderMarchedShadows) { compareSlab("box, marched shadows", [](double s) { return slab(s); }, marched()); }
-TEST(DenseMedia, BoxUnderTheDefaultMap) { compareSlab("box, default map", [](double s) { return slab(s); }, defaultMap()); }
+TEST(DenseMedia, BoxUnderMarchedShadows) {
+  compareSlab(
+      "box, marched shadows", [](double s) { return slab(s); }, marched());
+}
+TEST(DenseMedia, BoxUnderTheDefaultMap) {
+  compareSlab(
+      "box, default map", [](double s) { return slab(s); }, defaultMap());
+}
 TEST(DenseMedia, GridUnderMarchedShadows) { compareSlab("grid, marched shadows", gridSlab, marched()); }
 TEST(DenseMedia, GridUnderTheDefaultMap) { compareSlab("grid, default map", gridSlab, defaultMap()); }
 
@@ -136,8 +143,7 @@ void compareWith(const char* table, double sigmaOther, double zOther) {
   for (const double sigma : kSigmas)
     for (const double off : {0.0, 60.0})
       for (const ShadowSpec& spec : {marched(), defaultMap()}) {
-        const volume::InstanceList volumes{slab(sigma),
-                                           slab(sigmaOther < 0 ? sigma : sigmaOther, zOther)};
+        const volume::InstanceList volumes{slab(sigma), slab(sigmaOther < 0 ? sigma : sigmaOther, zOther)};
         const dvec3 eye(0, 0, std::max(zOther, 0.0) + 10.5);
         const scene::Light sun = sunOff(off);
         const double right =
@@ -189,8 +195,7 @@ TEST(DenseMedia, EveryRepresentationGivesTheIntegralOfItsOwnLookups) {
         const auto light = test::shadowed(sunOff(off), spec, volumes);
         // Away from where texels meet: there a map's own step would be looked at.
         const dvec3 eye = kEye + dvec3(0.011, 0.007, 0);
-        const double right =
-            test::exactAlong(volumes, {test::asLookedUp(light)}, eye, {0, 0, -1}).radiance.x;
+        const double right = test::exactAlong(volumes, {test::asLookedUp(light)}, eye, {0, 0, -1}).radiance.x;
         for (const double step : {1.0, 4.0})
           rows.check(fmt::format("{}, sigma {}, sun {} degrees off, step {}", shadow::describe(spec), sigma,
                                  off, step),
@@ -230,8 +235,8 @@ TEST(DenseMedia, DeepMapsKeepTheirBoundOnAnalyticShapes) {
         const auto tau = test::lookupTau(*map, sun, at);
         double worst = 0;
         for (std::size_t i = 0; i < at.size(); ++i)
-          worst = std::max(worst, std::abs(std::exp(-double(tau[i])) -
-                                           std::exp(-shadow::opticalDepthToLight(volumes, sun, dvec3(at[i])))));
+          worst = std::max(worst, std::abs(std::exp(-double(tau[i])) - std::exp(-shadow::opticalDepthToLight(
+                                                                           volumes, sun, dvec3(at[i])))));
         // Places along the light are floats: a few 1e-7 of its five metres.
         rows.check(fmt::format("bound {}, sigma {}, sun {} degrees off", bound, sigma, off), worst, 0, 0,
                    bound + 1e-3 + 4e-7 * sigma);
@@ -253,9 +258,9 @@ TEST(DenseMedia, FromInsideAndFromAFace) {
             const test::Exact right = test::exactAlong(volumes, {test::exactly(volumes, sun)}, eye, d);
             // What is dark is not looked at by its ratio.
             if (right.radiance.x < 1e-4) continue;
-            const std::string what = fmt::format("{}, sigma {}, z {}, direction ({}, {}), {}",
-                                                 grid ? "grid" : "box", sigma, z, d.x, d.z,
-                                                 shadow::describe(spec));
+            const std::string what =
+                fmt::format("{}, sigma {}, z {}, direction ({}, {}), {}", grid ? "grid" : "box", sigma, z,
+                            d.x, d.z, shadow::describe(spec));
             const dvec4 seen = test::onTheAxis(sceneOf(volumes, light), eye, eye + d, 1, 1);
             rows.check(what, seen.x, right.radiance.x, 0.01, 1e-4);
             rows.check(what + ", alpha", seen.w, right.alpha, 0, 2e-3);
@@ -273,10 +278,12 @@ TEST(DenseMedia, BallUnderSlantedLight) {
       const auto light = test::shadowed(sun, spec, volumes);
       for (const dvec3& target : {dvec3(0), dvec3(0.31, 0.2, 0.4), dvec3(0.1, 0.77, 0)}) {
         const double right =
-            test::exactAlong(volumes, {test::exactly(volumes, sun)}, kEye, glm::normalize(target - kEye)).radiance.x;
-        rows.check(fmt::format("sigma {}, target {} {}, {}", sigma, target.x, target.y, shadow::describe(spec)),
-                   test::onTheAxis(sceneOf(volumes, light), kEye, target, 1, 1).x, right,
-                   spec.kind == ShadowSpec::Kind::RayMarch ? 0.01 : 0.02, 1e-4);
+            test::exactAlong(volumes, {test::exactly(volumes, sun)}, kEye, glm::normalize(target - kEye))
+                .radiance.x;
+        rows.check(
+            fmt::format("sigma {}, target {} {}, {}", sigma, target.x, target.y, shadow::describe(spec)),
+            test::onTheAxis(sceneOf(volumes, light), kEye, target, 1, 1).x, right,
+            spec.kind == ShadowSpec::Kind::RayMarch ? 0.01 : 0.02, 1e-4);
       }
     }
 }

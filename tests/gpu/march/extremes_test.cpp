@@ -164,7 +164,8 @@ TEST(Extremes, ExtinctionBeyondAllMeasure) {
             fmt::format("sigma {}, {}, {}", sigma, grid ? "grid" : "box", shadow::describe(spec));
         rows.check(what + ", alpha", seen.w, 1, 0, 1e-3);
         EXPECT_TRUE(std::isfinite(seen.x)) << what;
-        // Its skin is thinner than floats can tell four metres away; it is never brighter than without shadow.
+        // Its skin is thinner than floats can tell four metres away; it is never brighter than without
+        // shadow.
         if (!grid && spec.kind == ShadowSpec::Kind::RayMarch) {
           EXPECT_LT(seen.x, 2.01 / (8 * kPi)) << what;
         }

@@ -26,8 +26,9 @@ volume::GridPtr layer() {
         for (int y = 0; y < volume::kStoredSize; ++y)
           for (int x = 0; x < volume::kStoredSize; ++x) {
             const vec3 p = vec3(lo + ivec3(x, y, z));
-            const float cells = std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
-                                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
+            const float cells =
+                std::sin(0.06f * p.x + std::sin(0.045f * p.z)) * std::sin(0.055f * p.z + 0.4f) +
+                0.4f * std::sin(0.19f * p.x) * std::sin(0.17f * p.z);
             const float height = 1 - std::abs(p.y - 20) / 20;
             *out++ = std::clamp(2 * (cells - 0.15f), 0.0f, 1.0f) * std::clamp(height * 1.5f, 0.0f, 1.0f);
           }
@@ -83,16 +84,18 @@ TEST(FlatGrid, ShadowsAreAsGoodAsOfIsotropicVoxels) {
   for (const int resolution : {256}) {
     const ShadowSpec spec = test::improved(4, 8, resolution);
     const Error a = errorOf(placed(flat), spec), b = errorOf(placed(even), spec);
-    std::printf("flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
-                resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
-    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution), std::max(a.map, b.map),
-               b.map, 0.25, 0.01);
+    std::printf(
+        "flat grid, map of %d: error %.3f (marched %.4f), %.1f s; isotropic %.3f (marched %.4f), %.1f s\n",
+        resolution, a.map, a.marched, a.seconds, b.map, b.marched, b.seconds);
+    rows.check(fmt::format("map of {}: error against that of isotropic voxels", resolution),
+               std::max(a.map, b.map), b.map, 0.25, 0.01);
     rows.check("marched, flat", a.marched, 0, 0, 0.02);
     rows.check("marched, isotropic", b.marched, 0, 0, 0.02);
   }
 }
 
-/// Of a map's picture against that of the march: root of the mean square over the mean, where something is seen.
+/// Of a map's picture against that of the march: root of the mean square over the mean, where something is
+/// seen.
 double pictureError(double wide, double high) {
   const volume::Instance grid = placed({wide, high, wide});
   const scene::Light sun = test::sunFrom({0.5, 0.6, 0.35}, 10);
@@ -121,7 +124,8 @@ TEST(FlatGrid, PicturesOfMapsAndMarchesAgree) {
   test::renderer();
   test::Rows rows("flat grid, picture");
   const double flat = pictureError(2000, 10), even = pictureError(10, 10);
-  std::printf("picture of a map against that of a march: flat %.3f, isotropic %.3f of the mean\n", flat, even);
+  std::printf("picture of a map against that of a march: flat %.3f, isotropic %.3f of the mean\n", flat,
+              even);
   rows.check("error against that of isotropic voxels", std::max(flat, even), even, 0.25, 0.01);
 }
 

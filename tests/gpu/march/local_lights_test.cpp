@@ -178,7 +178,8 @@ TEST(LocalLights, ASpotThatOnlyGrazesTheMedium) {
           for (const double step : {0.5, 1.0, 4.0})
             rows.check(fmt::format("cone {}, softness {}, x {}, step {}, {}", cone, softness, x, step,
                                    shadow::describe(spec)),
-                       test::onTheAxis(scene, eye, eye + d, 1, step, 1e-3).x, right, step > 1 ? 0.05 : 0.02, 1e-3);
+                       test::onTheAxis(scene, eye, eye + d, 1, step, 1e-3).x, right, step > 1 ? 0.05 : 0.02,
+                       1e-3);
         }
       }
 }

@@ -110,7 +110,8 @@ dvec4 mean(const volume::Instance& cloud, const shadow::ShadowedLight& light, Vi
 
 /// The same by quadrature over rays spread evenly over what is seen.
 dvec4 exactMean(const volume::Instance& cloud, const scene::Light& light, const View& v, int across) {
-  const dvec2 min = glm::clamp(dvec2(v.seen.min), 0.0, 1.0), extent = glm::clamp(dvec2(v.seen.max), 0.0, 1.0) - min;
+  const dvec2 min = glm::clamp(dvec2(v.seen.min), 0.0, 1.0),
+              extent = glm::clamp(dvec2(v.seen.max), 0.0, 1.0) - min;
   std::mt19937 rng(7);
   std::uniform_real_distribution<double> u(0, 1);
   const test::ExactLight exact = test::exactly({cloud}, light);
@@ -182,8 +183,8 @@ TEST(PictureSize, DraftsAreAsBright) {
       const View v = viewFrom(cloud, 1000 * km);
       const dvec4 right =
           mean(cloud, test::shadowed(sun(), test::improved(4, 8, 512), {cloud}), v, {640, 360}, 4, 1);
-      // As the nodes do it on a CPU: maps of 128 texels, 25,000 pixels, one and a half steps. Several samples, so
-      // that it is not the noise of one that is looked at.
+      // As the nodes do it on a CPU: maps of 128 texels, 25,000 pixels, one and a half steps. Several
+      // samples, so that it is not the noise of one that is looked at.
       const dvec4 m =
           mean(cloud, test::shadowed(sun(), test::improved(4, 8, 128), {cloud}), v, {211, 119}, 8, 1.5);
       rows.check(fmt::format("{} at {} km, radiance", smoke ? "plume" : "cumulus", km), m.x, right.x, 0.03);

@@ -70,8 +70,8 @@ TEST(ThinMedia, OneAnalyticSheet) {
   test::renderer();
   test::Rows rows("one analytic sheet");
   for (const double part : {1 / 500.0, 1 / 5000.0, 1 / 50000.0, 1e-5, 1e-6})
-    compareViews(rows, fmt::format("thickness {:.1g} of the distance", part), {sheet(part * kDistance, false)},
-                 {0.05, 1, 4}, false);
+    compareViews(rows, fmt::format("thickness {:.1g} of the distance", part),
+                 {sheet(part * kDistance, false)}, {0.05, 1, 4}, false);
 }
 
 TEST(ThinMedia, OneSheetOfVoxels) {
@@ -88,8 +88,10 @@ TEST(ThinMedia, OverlappingSheets) {
   for (const double part : {1 / 500.0, 1e-3, 1e-4})
     for (const bool grid : {false, true}) {
       const double h = part * kDistance;
-      compareViews(rows, fmt::format("two, thickness {:.1g} of the distance, {}", part, grid ? "grid and box" : "boxes"),
-                   {sheet(h, grid, 0, 0.5), sheet(h, false, 0.37 * h, 0.5)}, {0.05, 1, 4}, grid);
+      compareViews(
+          rows,
+          fmt::format("two, thickness {:.1g} of the distance, {}", part, grid ? "grid and box" : "boxes"),
+          {sheet(h, grid, 0, 0.5), sheet(h, false, 0.37 * h, 0.5)}, {0.05, 1, 4}, grid);
     }
 }
 
@@ -103,14 +105,16 @@ TEST(ThinMedia, SmallCubesFarAway) {
         for (const dvec3& towards : {dvec3(1, 0, 0), dvec3(0.5, 0.3, 0.8), dvec3(-0.2, 0.9, 0.4)}) {
           const double edge = part * kDistance;
           volume::Instance cube = grid ? sheet(edge, true) : test::box({0, 0, 0}, dvec3(edge), 1 / edge);
-          if (grid) cube.worldFromLocal = glm::scale(dmat4(1.0), dvec3(edge / 16)) * glm::translate(dmat4(1.0), dvec3(-7.5));
+          if (grid)
+            cube.worldFromLocal =
+                glm::scale(dmat4(1.0), dvec3(edge / 16)) * glm::translate(dmat4(1.0), dvec3(-7.5));
           const dvec3 eye = kDistance * glm::normalize(towards);
           view::RenderScene scene;
           scene.volumes = {cube};
           const double right = -std::expm1(-shadow::opticalDepth(scene.volumes, eye, -eye));
           const dvec4 seen = test::onTheAxis(scene, eye, dvec3(0), 1, step, 1e-4);
-          rows.check(fmt::format("edge {:.1g} of the distance, grid {}, step {}, from ({}, {}, {})", part, grid, step,
-                                 towards.x, towards.y, towards.z),
+          rows.check(fmt::format("edge {:.1g} of the distance, grid {}, step {}, from ({}, {}, {})", part,
+                                 grid, step, towards.x, towards.y, towards.z),
                      seen.w, right, 0, allowedFor(grid, step));
         }
 }

@@ -23,6 +23,7 @@ constexpr Table kTables[] = {
     {"clouds", "Every representation on 76 clouds", benchCloudField},
     {"three-clouds", "Picture and lookup: three clouds one behind the other", benchThreeClouds},
     {"silhouette", "Silhouettes: a slanted box edge over another box", benchSilhouette},
+    {"curve", "Defaults: errors and costs of extinction maps", benchCurve},
     {"deep", "Deep shadow maps of smoke1.vdb", benchDeep},
     {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},
 };
@@ -35,6 +36,7 @@ int benchMain(const BenchOptions& options, const std::function<int()>& window) {
   BenchSetup setup;
   setup.data = options.data;
   if (const char* data = std::getenv("PILEUS_TEST_DATA"); setup.data.empty() && data) setup.data = data;
+  setup.plot = options.plot;
   const auto context = gl::HeadlessContext::create();
   if (!context) {
     std::fprintf(stderr, "pileus: %s\n", context.error().message.c_str());

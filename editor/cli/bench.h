@@ -7,6 +7,7 @@ namespace pileus::cli {
 
 struct BenchOptions {
   std::string data;  ///< folder with test volumes; "" = $PILEUS_TEST_DATA; absent: tables that need it say so
+  std::string plot;  ///< SVG file for the table "curve"; "": none
   std::string only;  ///< run only tables whose name contains this
 };
 

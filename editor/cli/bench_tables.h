@@ -10,6 +10,7 @@ namespace pileus::cli {
 struct BenchSetup {
   view::Renderer* renderer = nullptr;
   std::filesystem::path data;  ///< test volumes; empty: tables that need them return Error (Input)
+  std::filesystem::path plot;  ///< where the plot of the curve goes; empty: nowhere
 };
 
 /// Cold (empty caches) and warm start to the first lit picture, each in a process of its own.
@@ -33,6 +34,8 @@ Result<void> benchThreeClouds(const BenchSetup& setup);
 Result<void> benchSilhouette(const BenchSetup& setup);
 /// Error and size of compressed deep maps of smoke1.vdb.
 Result<void> benchDeep(const BenchSetup& setup);
+/// What maps of many parameters err by and cost on four scenes; the curve the defaults are the knee of.
+Result<void> benchCurve(const BenchSetup& setup);
 /// smoke1.vdb of the test volumes, extinction 0.5.
 Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 

@@ -168,6 +168,7 @@ int run(int argc, char** argv, const EditorSide& editor) {
   BenchOptions bench;
   CLI::App* benchCommand = app.add_subcommand("bench", "Measure and print the tables of docs/bench.md.");
   benchCommand->add_option("--data", bench.data, "Folder with test volumes; $PILEUS_TEST_DATA by default.");
+  benchCommand->add_option("--plot", bench.plot, "SVG file that the table 'curve' is also drawn to.");
   benchCommand->add_option("--only", bench.only, "Run only the tables whose name contains this.");
 
   for (CLI::App* c : app.get_subcommands({})) c->fallthrough();

@@ -48,6 +48,46 @@ Result<std::string> chooseRender(const nodes::Graph& graph, const fs::path& file
 
 }  // namespace
 
+Result<view::RenderScene> sceneOf(view::Renderer& renderer, const nodes::Graph& graph,
+                                  const std::string& renderNode, const fs::path& file) {
+  // Only the scene is wanted: a draft of a small picture, with small maps.
+  nodes::EvalSettings settings;
+  settings.quality = nodes::Quality::Draft;
+  settings.frame = graph.settings.frames.x;
+  settings.size = glm::max(graph.settings.size / std::max(1, graph.settings.size.x / 64), ivec2(1));
+  settings.folder = fs::absolute(file).parent_path();
+  settings.budgetMs = 250;
+  nodes::Evaluator evaluator(&renderer);
+  MeasureProgress progress;
+  for (nodes::EvalReport r; !r.complete;) {
+    if (interrupted()) return fail(Code::Cancelled, "cancelled");
+    r = evaluator.evaluate(graph, {renderNode}, settings);
+    progress.show(r.fraction, "Evaluating " + renderNode);
+    if (r.waitingForJobs) std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+  progress.finish();
+  for (const auto& [name, node] : graph.nodes) {
+    const nodes::NodeStatus& s = evaluator.status(name);
+    for (const std::string& w : s.warnings) fmt::print(stderr, "pileus: warning: {}: {}\n", name, w);
+    if (s.state == nodes::NodeState::Failed) return s.error;
+  }
+  const nodes::SocketValue* value = evaluator.output(renderNode, "image");
+  const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
+  if (!image || !image->picture || !image->picture->scene)
+    return fail(Code::Input, "{}: {} gives no picture", file.string(), renderNode);
+  view::RenderScene scene = *image->picture->scene;
+  scene.options.size = graph.settings.size;
+  // What a draft has changed.
+  const nodes::Node& node = *nodes::findNode(graph, renderNode);
+  const nodes::NodeType& type = *nodes::findNodeType(node.type);
+  scene.options.samples = std::get<int>(nodes::paramValue(node, *type.param("samples"), settings.frame));
+  scene.options.stepScale =
+      std::get<double>(nodes::paramValue(node, *type.param("step_scale"), settings.frame));
+  if (scene.lights.empty()) return fail(Code::Input, "{}: no light reaches {}", file.string(), renderNode);
+  if (scene.volumes.empty()) return fail(Code::Input, "{}: no volume reaches {}", file.string(), renderNode);
+  return scene;
+}
+
 Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode) {
   stopped = 0;
   ::signal(SIGINT, onSignal);
@@ -57,43 +97,7 @@ Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode)
   PILEUS_TRY(out.renderNode, chooseRender(out.graph, file, renderNode));
   PILEUS_TRY(out.context, gl::HeadlessContext::create());
   PILEUS_TRY(out.renderer, view::Renderer::create());
-  // Only the scene is wanted: a draft of a small picture, with small maps.
-  nodes::EvalSettings settings;
-  settings.quality = nodes::Quality::Draft;
-  settings.frame = out.graph.settings.frames.x;
-  settings.size = glm::max(out.graph.settings.size / std::max(1, out.graph.settings.size.x / 64), ivec2(1));
-  settings.folder = fs::absolute(file).parent_path();
-  settings.budgetMs = 250;
-  nodes::Evaluator evaluator(out.renderer.get());
-  MeasureProgress progress;
-  for (nodes::EvalReport r; !r.complete;) {
-    if (interrupted()) return fail(Code::Cancelled, "cancelled");
-    r = evaluator.evaluate(out.graph, {out.renderNode}, settings);
-    progress.show(r.fraction, "Evaluating " + out.renderNode);
-    if (r.waitingForJobs) std::this_thread::sleep_for(std::chrono::milliseconds(3));
-  }
-  progress.finish();
-  for (const auto& [name, node] : out.graph.nodes) {
-    const nodes::NodeStatus& s = evaluator.status(name);
-    for (const std::string& w : s.warnings) fmt::print(stderr, "pileus: warning: {}: {}\n", name, w);
-    if (s.state == nodes::NodeState::Failed) return s.error;
-  }
-  const nodes::SocketValue* value = evaluator.output(out.renderNode, "image");
-  const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
-  if (!image || !image->picture || !image->picture->scene)
-    return fail(Code::Input, "{}: {} gives no picture", file.string(), out.renderNode);
-  out.scene = *image->picture->scene;
-  out.scene.options.size = out.graph.settings.size;
-  // What a draft has changed.
-  const nodes::Node& node = *nodes::findNode(out.graph, out.renderNode);
-  const nodes::NodeType& type = *nodes::findNodeType(node.type);
-  out.scene.options.samples = std::get<int>(nodes::paramValue(node, *type.param("samples"), settings.frame));
-  out.scene.options.stepScale =
-      std::get<double>(nodes::paramValue(node, *type.param("step_scale"), settings.frame));
-  if (out.scene.lights.empty())
-    return fail(Code::Input, "{}: no light reaches {}", file.string(), out.renderNode);
-  if (out.scene.volumes.empty())
-    return fail(Code::Input, "{}: no volume reaches {}", file.string(), out.renderNode);
+  PILEUS_TRY(out.scene, sceneOf(*out.renderer, out.graph, out.renderNode, file));
   return out;
 }
 

@@ -24,6 +24,10 @@ struct SceneFile {
 /// volumes; Error (Arguments): no such node; Error (Cancelled) on SIGINT and SIGTERM.
 Result<SceneFile> openScene(const std::filesystem::path& file, const std::string& renderNode);
 
+/// The same of a graph that was read from, or will lie in, `file`, on a renderer that is there. GL thread.
+Result<view::RenderScene> sceneOf(view::Renderer& renderer, const nodes::Graph& graph,
+                                  const std::string& renderNode, const std::filesystem::path& file);
+
 /// Has SIGINT or SIGTERM been received since openScene()?
 bool interrupted();
 

@@ -205,9 +205,7 @@ void addLights(Builder& build, std::span<const std::string> media, double azimut
   build.set(sky, "irradiance", 3.0);
   build.set(sky, "color", dvec3(0.5, 0.7, 1.0));
   const std::string metric = build.add("shadow.pseudometric", 2, row - 0.4, "Pseudometric Map");
-  build.set(metric, "resolution", 512);
   const std::string map = build.add("shadow.extinction", 3, row - 0.4, "Extinction Map");
-  build.set(map, "coefficients", 12);
   build.link(sun, "light", metric, "light");
   build.link(metric, "metric", map, "metric");
   for (const std::string& medium : media) build.link(medium, "volume", metric, "volumes");

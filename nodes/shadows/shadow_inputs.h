@@ -7,12 +7,14 @@
 
 namespace pileus::nodes {
 
-/// Of shadow.pseudometric.
+/// Of shadow.pseudometric. Its defaults and those of shadow.extinction are the knee of a measured curve
+/// (docs/bench.md).
 struct MetricIn {
   VolumeValue volumes;
   LightValue light;
   SolidValue solids;
-  shadow::MetricOptions metric{.weighting = shadow::Weighting::Root, .horizon = shadow::kUsualHorizon};
+  shadow::MetricOptions metric{
+      .resolution = 512, .weighting = shadow::Weighting::Root, .horizon = shadow::kUsualHorizon};
 };
 
 /// Of all others; which one it is stands in `spec.kind`.

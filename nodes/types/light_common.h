@@ -33,7 +33,7 @@ struct LocalLight {
   dvec3 position{0};
   double intensity = 100;
   LightColor color = {};
-  double radius = 0.01;
+  double radius = 0;
 
   scene::Light made(scene::LightKind kind) const {
     scene::Light light;
@@ -73,10 +73,12 @@ template <class In>
 void describeRadius(Describe<In, LocalLightOut>& d) {
   d.in("radius", &In::local, &LocalLight::radius)
       .unit("m")
-      .range(1e-4, 1e6)
-      .soft(0.001, 1)
+      .range(0, 1e6)
+      .soft(0, 1)
       .logarithmic()
-      .help("Closer than this the irradiance grows no further. Shadows stay those of a point.");
+      .help(
+          "Closer than this the irradiance grows no further; 0: a true point. Shadows stay those of a "
+          "point.");
   d.out("light", &LocalLightOut::light).help("One light without a shadow.");
 }
 

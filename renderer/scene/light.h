@@ -16,7 +16,7 @@ struct Light {
                            ///< intensity [W/sr] x colour
   double angle = 0;        ///< Sun: diameter of the disc, degrees; what a soft sun was split from
   dvec3 position{0};       ///< Point, Spot: metres
-  double radius = 0.01;    ///< Point, Spot: metres; within it irradiance stays I / radius^2
+  double radius = 0;       ///< Point, Spot: metres; within it irradiance stays I / radius^2; 0: a point
   double cone = 60;        ///< Spot: full angle of the cone, degrees, below 180
   double softness = 0.2;   ///< Spot: part of the half angle over which the edge fades, 0..1
 

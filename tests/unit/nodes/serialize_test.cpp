@@ -1,6 +1,7 @@
 // Graph files: round trips, everything that can be wrong with one, and hostile ones.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -13,8 +14,8 @@
 namespace pileus::nodes {
 namespace {
 
-std::string fixture() {
-  return readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/format1.json").value();
+std::string fixture(const std::string& name = "format2.json") {
+  return readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/" + name).value();
 }
 
 /// All faults, one a line.
@@ -33,26 +34,55 @@ std::string sunWith(const std::string& params) {
   return withNodes(R"("Sun": {"type": "light.sun", "params": {)" + params + "}}");
 }
 
-TEST(Serialize, FormatOneIsReadAndSavedByteForByte) {
-  const std::string text = fixture();
-  const auto loaded = parseGraph(text);
-  ASSERT_TRUE(loaded) << loaded.error().message;
-  EXPECT_EQ(graphText(loaded->graph), text);
-  std::string all;
-  for (const Fault& fault : loaded->faults) all += faultText(fault) + "\n";
-  EXPECT_EQ(all,
-            "warning: settings.theme: unknown setting; kept as it is\n"
-            "warning: Box.future: unknown member; kept as it is\n"
-            "warning: Box.density: expressions are not evaluated yet: kept, but the default is used\n"
-            "warning: Box.fluffiness: volume.box has no such parameter; kept as it is\n"
-            "warning: Strange: unknown node type 'volume.from_the_future'; kept as it is\n"
-            "warning: someday: unknown member; kept as it is\n");
-  const Graph& graph = loaded->graph;
+/// What both fixtures warn of.
+constexpr const char* kFixtureFaults =
+    "warning: settings.theme: unknown setting; kept as it is\n"
+    "warning: Box.future: unknown member; kept as it is\n"
+    "warning: Box.density: expressions are not evaluated yet: kept, but the default is used\n"
+    "warning: Box.fluffiness: volume.box has no such parameter; kept as it is\n"
+    "warning: Strange: unknown node type 'volume.from_the_future'; kept as it is\n"
+    "warning: someday: unknown member; kept as it is\n";
+
+void expectFixture(const Graph& graph) {
   EXPECT_EQ(graph.settings.size, ivec2(640, 360));
   EXPECT_TRUE(findNode(graph, "Haze")->bypass);
   EXPECT_EQ(findNode(graph, "Ball")->animated.at("radius").keys.size(), 2u);
-  EXPECT_EQ(graph.links.size(), 4u);
   EXPECT_TRUE(graph.links.back().muted);
+}
+
+TEST(Serialize, FormatTwoIsReadAndSavedByteForByte) {
+  const auto loaded = parseGraph(fixture());
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(graphText(loaded->graph), fixture());
+  EXPECT_EQ(faultsOf(fixture()), kFixtureFaults);
+  expectFixture(loaded->graph);
+  EXPECT_EQ(loaded->graph.links.size(), 6u);
+}
+
+TEST(Serialize, FormatOneIsReadAndSavedAsFormatTwo) {
+  std::string text = fixture("format1.json");
+  const auto loaded = parseGraph(text);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(faultsOf(text), kFixtureFaults);
+  expectFixture(loaded->graph);
+  EXPECT_EQ(loaded->graph.links.size(), 4u);
+  // It holds no node of which a default changed: nothing else is new.
+  text.replace(text.find("\"pileus\": 1"), 11, "\"pileus\": 2");
+  EXPECT_EQ(graphText(loaded->graph), text);
+}
+
+TEST(Serialize, ShippedPresetsAreAsPileusSavesThem) {
+  int presets = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(PILEUS_SOURCE_DIR) / "presets")) {
+    if (entry.path().extension() != ".json") continue;
+    const std::string text = readFile(entry.path()).value();
+    const auto loaded = parseGraph(text);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(graphText(loaded->graph), text) << entry.path();
+    ++presets;
+  }
+  EXPECT_GE(presets, 8);
 }
 
 TEST(Serialize, ANewGraphRoundTrips) {
@@ -151,7 +181,7 @@ TEST(Serialize, WhatIsNoGraphIsRefusedWithLineAndColumn) {
   EXPECT_TRUE(faultsOf("{}").starts_with("refused: not a Pileus graph: \"pileus\""));
   EXPECT_TRUE(faultsOf(R"({"pileus": "1"})").starts_with("refused: not a Pileus graph"));
   EXPECT_TRUE(faultsOf(R"({"pileus": 0})").starts_with("refused: not a Pileus graph"));
-  EXPECT_TRUE(faultsOf(R"({"pileus": 2})").starts_with("refused: written by a newer Pileus: format 2"));
+  EXPECT_TRUE(faultsOf(R"({"pileus": 3})").starts_with("refused: written by a newer Pileus: format 3"));
   EXPECT_TRUE(faultsOf(R"({"pileus": 99999999999999999999})").starts_with("refused: "));
   EXPECT_EQ(faultsOf(std::string(100000, '[')), "refused: line 1, column 65: nested deeper than 64\n");
   std::string nested = R"({"pileus": 1, "x": )" + std::string(63, '[') + std::string(63, ']') + "}";

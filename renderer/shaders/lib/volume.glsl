@@ -108,9 +108,10 @@ vec2 enterLocal(int v, vec3 lo, vec3 ld, int level, out VolumeRay r) {
   r.extinction = boxMin.w * (r.analytic ? boxMax.w : 1.0);
 #if SHAPES & SHAPES_GRID
   level = clamp(level, shape.w, max(shape.z - 1, 0));
-  // A coarse voxel reaches further out than the ones it is the mean of, of which the outermost are zeros.
+  // A coarse voxel reaches further out than the ones it is the mean of, of which the outermost are zeros. The
+  // finest end where the grid says, which may be between two.
   float s = exp2(-float(level)), edge = exp2(float(level));
-  if (!r.analytic) {
+  if (!r.analytic && level > 0) {
     boxMin.xyz = (floor((boxMin.xyz + 1.0) * s) - 0.5) * edge - 0.5;
     boxMax.xyz = (floor((boxMax.xyz - 1.0) * s) + 1.5) * edge - 0.5;
   }

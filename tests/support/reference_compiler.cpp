@@ -1,5 +1,7 @@
 #include "tests/support/reference_compiler.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -72,24 +74,46 @@ std::string variant(const std::string& source) {
   return out;
 }
 
-/// The compiler's messages for one program.
-std::string messages(const std::vector<fs::path>& stages) {
-  std::string out;
-  for (const fs::path& stage : stages) {
-    const std::string source = contentOf(stage);
-    const RunResult r = run({kCompiler, limits().string(), stage.string()});
-    if (r.exitCode == 127) return "glslangValidator is not installed (Debian package glslang-tools)\n";
-    if (r.exitCode != 0)
-      out += "variant" + variant(source) + "\n" + named(r.out.substr(r.out.find('\n') + 1), source);
+/// What the compiler says of each stage, all in one call: most of a call's time is its start.
+std::map<std::string, std::string> refusedStages(
+    const std::map<std::string, std::vector<fs::path>>& programs) {
+  std::vector<std::string> call{kCompiler, limits().string()};
+  std::map<std::string, std::string> said;
+  for (const auto& [name, stages] : programs)
+    for (const fs::path& s : stages) {
+      call.push_back(s.string());
+      said[s.string()];
+    }
+  const RunResult r = run(call, 600);
+  if (r.exitCode == 0) return {};
+  // A line with the name of a stage, then what there is to say of it.
+  std::istringstream lines(r.out);
+  std::string* of = nullptr;
+  for (std::string line; std::getline(lines, line);) {
+    if (const auto it = said.find(line); it != said.end())
+      of = &it->second;
+    else if (of && !line.empty())
+      *of += line + "\n";
   }
-  if (!out.empty() || stages.size() < 2) return out;
-  std::vector<std::string> link{kCompiler, "-l", limits().string()};
-  for (const fs::path& stage : stages) link.push_back(stage.string());
-  const RunResult r = run(link);
-  return r.exitCode == 0 ? "" : r.out;
+  std::erase_if(said, [](const auto& s) { return s.second.find("ERROR") == s.second.npos; });
+  if (said.empty()) said[call.back()] = fmt::format("ERROR: code {}: {}{}\n", r.exitCode, r.out, r.err);
+  return said;
+}
+
+/// What it says of the stages together.
+std::string linkMessages(const std::vector<fs::path>& stages) {
+  std::vector<std::string> call{kCompiler, "-l", limits().string()};
+  for (const fs::path& stage : stages) call.push_back(stage.string());
+  const RunResult r = run(call);
+  return r.exitCode == 0 ? "" : "variant" + variant(contentOf(stages.back())) + "\n" + r.out;
 }
 
 }  // namespace
+
+bool hasReferenceCompiler() {
+  static const bool there = run({kCompiler, "--version"}).exitCode == 0;
+  return there;
+}
 
 std::string refusedPrograms(const fs::path& folder) {
   // A program's name is the hash of its text.
@@ -103,17 +127,19 @@ std::string refusedPrograms(const fs::path& folder) {
     return true;
   });
   if (programs.empty()) return {};
-  // All in one call, and where that does not take them all, one by one to see which.
-  std::vector<std::string> all{kCompiler, limits().string()};
-  for (auto& [name, stages] : programs) {
-    std::sort(stages.begin(), stages.end(), std::greater<>());  // a .vert before its .frag
-    for (const fs::path& s : stages) all.push_back(s.string());
-  }
-  const bool good = run(all, 600).exitCode == 0;
+  for (auto& [name, stages] : programs)
+    std::sort(stages.rbegin(), stages.rend());  // a .vert before its .frag
   std::string out;
   fs::create_directories(taken);
+  const std::map<std::string, std::string> refused = refusedStages(programs);
   for (const auto& [name, stages] : programs) {
-    const std::string said = good && stages.size() == 1 ? "" : messages(stages);
+    std::string said;
+    for (const fs::path& s : stages)
+      if (const auto it = refused.find(s.string()); it != refused.end()) {
+        const std::string source = contentOf(s);
+        said += "variant" + variant(source) + "\n" + named(it->second, source);
+      }
+    if (said.empty() && stages.size() > 1) said = linkMessages(stages);
     if (said.empty()) std::ofstream(taken / name);
     out += said;
     for (const fs::path& s : stages) fs::remove(s);

@@ -7,6 +7,9 @@
 
 namespace pileus::test {
 
+/// Whether it is installed (Debian package glslang-tools).
+bool hasReferenceCompiler();
+
 /// What it says against the programs in a folder (see gl::ShaderLibrary: NAME.comp, or NAME.vert and
 /// NAME.frag), with files and lines; empty where it takes them all. Programs that it took before, in this
 /// process or another, are passed over. The folder is empty afterwards.

@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
   // Compiled shaders are kept for the next run, of this test or of another.
   const std::filesystem::path cache = std::filesystem::path(PILEUS_BINARY).parent_path() / "shader_cache";
   ::setenv("MESA_SHADER_CACHE_DIR", cache.c_str(), 0);
-  ::setenv("PILEUS_SHADER_SOURCES", pileus::test::compiledPrograms().c_str(), 0);
+  if (pileus::test::hasReferenceCompiler())
+    ::setenv("PILEUS_SHADER_SOURCES", pileus::test::compiledPrograms().c_str(), 0);
   testing::UnitTest::GetInstance()->listeners().Append(new LogGuard);
   return RUN_ALL_TESTS();
 }

@@ -46,7 +46,7 @@ image::Image cloudBy(view::Renderer& renderer) {
   };
   add(test::sunFrom(dvec3(0.3, 1, 0.2)), sun);
   add(test::pointAt(dvec3(0, 2, 1), 3), series);
-  add(test::sunFrom(dvec3(-1, 1, 0.3)), test::deep(0.01, 128));
+  add(test::sunFrom(dvec3(-1, 1, 0.3)), test::deep(0.01, 64));
   scene.lights.push_back({test::spotAt(dvec3(2, 2, 0), dvec3(0), 40),
                           shadow::marchedShadow(test::spotAt(dvec3(2, 2, 0), dvec3(0), 40), volumes, {}, 1)});
   scene.solids = {test::solidPlane(dvec3(0, -1.2, 0), dvec3(4, 1, 4))};

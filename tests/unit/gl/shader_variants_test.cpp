@@ -58,7 +58,9 @@ const std::vector<Constant> kConstants = {{"SHAPES", {0, 1, 2, 3, 5, 7}},
                                           {"WINDOWED", {0, 1}},
                                           {"FILL", {0, 1}},
                                           {"FILTER", {1, 2, 4}},
-                                          {"TERMS", {4, 8, 16, 32}}};
+                                          {"TERMS", {4, 8, 16, 32}},
+                                          {"IN_FLOATS", {64}},
+                                          {"OUT_FLOATS", {80}}};
 
 /// Those an entry reads, in itself or in what it includes.
 std::vector<Constant> constantsOf(const std::string& text) {

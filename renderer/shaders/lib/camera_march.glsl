@@ -1,7 +1,7 @@
 // Camera rays through the media of a scene, front to back and up to the nearest solid. Places are relative to
-// the pass's origin, which is the eye or the part of the media nearest to it. A shader that includes this says what it makes of them: passStep and addSample.
-// Variant constants: SOLIDS (1: there are some to draw), RESUME (1: a ray may take several dispatches,
-// lib/resume.glsl), SHAPES and those of lib/stretch.glsl.
+// the pass's origin, which is the eye or the part of the media nearest to it. A shader that includes this
+// says what it makes of them: passStep and addSample. Variant constants: SOLIDS (1: there are some to draw),
+// RESUME (1: a ray may take several dispatches, lib/resume.glsl), SHAPES and those of lib/stretch.glsl.
 #pragma once
 #include "lib/stretch.glsl"
 #include "lib/solid.glsl"
@@ -33,8 +33,8 @@ void passStep(Stretch s, inout StretchSample x);
 void passGap();
 // Where a step has to end, metres into the stretch; kNoEdge: wherever it likes.
 float nextCut(Stretch s);
-// The next step with something in it (or, once there is none, one without): all but what it takes of T. False:
-// the same step is due once more.
+// The next step with something in it (or, once there is none, one without): all but what it takes of T.
+// False: the same step is due once more.
 bool addSample(CameraRay ray, Stretch s, StretchSample x);
 
 // What of the light behind a step comes through, and the mean of that over the step.

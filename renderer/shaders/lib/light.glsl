@@ -58,7 +58,8 @@ Passage passageOf(int l, vec3 p, vec3 d, float ds) {
   Passage q;
   q.falloff = sum / max(ds, 1e-30);
   q.angles = vec2(atan(a, h), atan(b, h));
-  float mean = 0.5 * log((h * h + b * b) / (h * h + a * a)) / max(sum, 1e-30), square = ds / max(sum, 1e-30) - h * h;
+  float mean = 0.5 * log((h * h + b * b) / (h * h + a * a)) / max(sum, 1e-30),
+        square = ds / max(sum, 1e-30) - h * h;
   q.centre = clamp((mean - a) / ds, 0.0, 1.0);
   q.spread = clamp(12.0 * (square - mean * mean) / (ds * ds), 0.0, 1.0);
   return q;

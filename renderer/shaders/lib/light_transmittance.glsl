@@ -61,7 +61,8 @@ float lightTransmittance(int l, Place from) {
   return lightTransmittanceTowards(l, from, i.towards, i.distance, true);
 }
 
-// What is left of light l at p, in a medium, by solids and its cone: not by media, which light passes gradually.
+// What is left of light l at p, in a medium, by solids and its cone: not by media, which light passes
+// gradually.
 float openTo(int l, vec3 p) {
   Incidence i = unshadowed(l, p);
   return i.cone * solidVisibility(l, p, i.towards, i.distance);

@@ -28,7 +28,7 @@ vec2 windowOf(float rayLength) { return vec2(0.0, 1e30); }
 
 // Steps of so much optical depth at most, as long as there is light: a straight line over one is off by an
 // eighth of its square.
-const float kOrderedDepth = 0.08;
+const float kOrderedDepth = 0.05;
 
 Stretch beginMarch(MapRay ray, ivec2 range) {
   vec2 window_ = windowOf(ray.tMax);

@@ -5,8 +5,9 @@
 // stretch count from where it begins: so that what is thin keeps its thickness however far away it is.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they
 // are visited one by one), EMISSION (1: some volumes emit, and it counts; else, and if undefined, no glow)
-// STRETCH_ALBEDO (1: the active ones' albedo is kept too) and DENSE (1: there are voxels through which no light
-// comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch on a constant is none.
+// STRETCH_ALBEDO (1: the active ones' albedo is kept too) and DENSE (1: there are voxels through which no
+// light comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch
+// on a constant is none.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
@@ -133,7 +134,7 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
   // Coarse steps are for long ways.
   ds = min(ds, max(finest, s.span / kCoarseSteps));
   s.ds = s.span / clamp(ceil(s.span / ds), 1.0, float(STRETCH_MOST_STEPS));
-  s.edge = min(voxel, s.ds);
+  s.edge = ds < 0.75 * voxel ? s.ds : min(voxel, s.span);
   s.at = more && s.count > 0 ? 0.0 : s.span;
   s.wanted = s.edge;
   s.start = placeAt(s.o + metres(s.begin) * s.d);

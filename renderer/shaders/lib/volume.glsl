@@ -58,8 +58,9 @@ vec4 remapped(vec4 remap, float density) {
 }
 #endif
 
-// A coarse voxel stands for what is in it as long as it is thin: up to this optical depth, were it as dense as
-// the densest. Light falls off exponentially, so that the mean extinction of a thick one lets too little pass.
+// A coarse voxel stands for what is in it as long as it is thin: up to this optical depth, were it as dense
+// as the densest. Light falls off exponentially, so that the mean extinction of a thick one lets too little
+// pass.
 const float kThinVoxel = 0.1, kCoarseStep = 0.3;
 
 // What of a footprint [m] volume v may be averaged over.
@@ -81,11 +82,13 @@ float stepFor(int v, float footprint) {
   return shapeOf(v).x == SHAPE_GRID ? resolvable(v, footprint) : detailOf(v);
 }
 
-// The same where steps of `scale` details will do: but a step longer than a voxel holds little of the densest.
+// The same where steps of `scale` details will do: but a step longer than a voxel holds little of the
+// densest.
 float stepFor(int v, float footprint, float scale) {
   float step_ = stepFor(v, footprint);
   bool grid = shapeOf(v).x == SHAPE_GRID;
-  return grid && scale > 1.0 ? max(min(scale * step_, kCoarseStep * volumeRow(v, 11).y), step_) : scale * step_;
+  float most = kCoarseStep * volumeRow(v, 11).y;
+  return grid && scale > 1.0 ? max(min(scale * step_, most), step_) : scale * step_;
 }
 
 // A voxel [m] of the level that goes with it.
@@ -271,8 +274,8 @@ int stepAtOrBehind(int i, float t, float t0, float offset, float ds) {
 
 const float kDarkness = 60.0;  // an optical depth behind which none is looked for
 
-// Optical depth from t0 to t1 of a grid so dense that light changes much over a step of ds: in steps that hold
-// no more than a part of it, until it is dark.
+// Optical depth from t0 to t1 of a grid so dense that light changes much over a step of ds: in steps that
+// hold no more than a part of it, until it is dark.
 float denseDepth(VolumeRay r, float t0, float t1, float ds) {
   const float kPiece = 0.25;
   const int kMost = MARCH_MOST_STEPS / MARCH_UNROLL;
@@ -292,10 +295,10 @@ float denseDepth(VolumeRay r, float t0, float t1, float ds) {
   return sum;
 }
 
-// Optical depth of volume v from a place along the unit direction d over tMax metres, midpoint march, steps of
-// `scale` details or less where it is dense; no more than kDarkness is needed. Samples are taken MARCH_UNROLL at a time (written out: a
-// loop would cost iterations); in empty bricks they are zeros, and where a group begins in one it is left at
-// once.
+// Optical depth of volume v from a place along the unit direction d over tMax metres, midpoint march, steps
+// of `scale` details or less where it is dense; no more than kDarkness is needed. Samples are taken
+// MARCH_UNROLL at a time (written out: a loop would cost iterations); in empty bricks they are zeros, and
+// where a group begins in one it is left at once.
 #define MARCH_SAMPLE(j) \
   sum += i + j < n ? sigmaAt(r, begin + float(j) * ds) : 0.0;
 float opticalDepth(int v, Place from, vec3 d, float scale, float tMax) {

@@ -2,8 +2,9 @@
 // dispatch, averaged into the target. Over a step the medium is what it is in its middle; light is looked up
 // where steps begin and end. The march ends at the nearest solid, which adds T_cam albedo / pi SUM E
 // cos T_light. What emits adds its radiance per metre to the source, and lights nothing.
-// Variant constants: LIGHTS (their number, or 0: lightCount), REACHED (at least as many), DEPTH (1: no light, but the mean depth of what
-// scatters), those of lib/camera_march.glsl and of lib/light_transmittance.glsl.
+// Variant constants: LIGHTS (their number, or 0: lightCount), REACHED (at least as many), DEPTH (1: no
+// light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
+// lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
 #include "lib/camera_march.glsl"
 #include "lib/light_transmittance.glsl"
@@ -81,8 +82,8 @@ vec3 scattering(Stretch s, StretchSample x, int l, Passage q) {
 }
 
 // Mean over a step of the light that comes out of it where it begins: `first` and `last` reach its ends, and
-// from one to the other light falls off exponentially, exactly so in what is uniform; what is between costs the
-// depth of the step.
+// from one to the other light falls off exponentially, exactly so in what is uniform; what is between costs
+// the depth of the step.
 float meanReaching(float first, float last, float depth, Passage q) {
   float fall = log(first / last) + depth, seen = last * exp(-depth);
   float even = abs(fall) < 0.05 ? 0.5 * (first + seen) * (1.0 - fall * fall / 12.0) : (first - seen) / fall;
@@ -135,8 +136,8 @@ Place endOfStep(Stretch s, StretchSample x, bool begin) {
   return placeAt(s, at);
 }
 
-// Solids and cones may cut light off anywhere, so they count as they are in the middle of a step. Where a step
-// begins the light is known from the one before it, or is looked up first.
+// Solids and cones may cut light off anywhere, so they count as they are in the middle of a step. Where a
+// step begins the light is known from the one before it, or is looked up first.
 bool addScattered(Stretch s, StretchSample x) {
   bool begin = !lit && x.sigma > 0.0;
   vec3 from = pointAt(s, x.from), middle = pointAt(s, middleOf(x));

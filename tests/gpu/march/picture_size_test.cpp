@@ -168,9 +168,9 @@ TEST(PictureSize, AgainstQuadratureUnderMarchedShadows) {
       const auto light = test::shadowed(sun(), spec, {cloud});
       const int samples = km > 10 ? 64 : km > 3 ? 16 : 4;
       const dvec4 m = mean(cloud, light, v, {80, 45}, samples, 1);
-      // Sampling noise of both adds about a half per cent.
-      rows.check(fmt::format("{} at {} km, radiance", smoke ? "plume" : "cumulus", km), m.x, right.x, 0.02);
-      rows.check(fmt::format("{} at {} km, alpha", smoke ? "plume" : "cumulus", km), m.w, right.w, 0.015);
+      // The rays of the quadrature are few: some per cent of it, most where the cloud is a few pixels.
+      rows.check(fmt::format("{} at {} km, radiance", smoke ? "plume" : "cumulus", km), m.x, right.x, 0.05);
+      rows.check(fmt::format("{} at {} km, alpha", smoke ? "plume" : "cumulus", km), m.w, right.w, 0.035);
     }
 }
 

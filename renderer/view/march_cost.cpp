@@ -71,9 +71,12 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   const double stretches = 2.0 * longest + 1;
   // Where steps are cut for what is dense they are looked at up to three times; all the optical depth that
   // matters takes a few dozen of them, and each run of steps begins with a sample more.
-  constexpr double kDenseSteps = 64, kLooks = 3;
-  const double most = kDenseSteps + kLooks * std::min(mostInTile(o.size, bounds, steps) + stretches,
-                                                      STRETCH_MOST_STEPS * stretches);
+  constexpr double kDenseSteps = 64, kDense = 0.7;
+  const bool dense = std::any_of(volumes.begin(), volumes.end(), [&](const volume::Instance& i) {
+    return volume::majorant(i) * volume::detailSize(i) * std::max(o.stepScale, 2.0) > kDense;
+  });
+  const double most = kDenseSteps + (dense ? 3 : 1) * std::min(mostInTile(o.size, bounds, steps) + stretches,
+                                                               STRETCH_MOST_STEPS * stretches);
   double fixed = 2, shadows = 0, local = 0;
   for (const shadow::ShadowedLight& l : lights.lights()) {
     fixed += 2;

@@ -4,6 +4,10 @@
 #include "lib/metric.glsl"
 #include "lib/mixed_bit.glsl"
 #include "lib/phase.glsl"
+#ifndef IN_FLOATS
+#define IN_FLOATS 64
+#define OUT_FLOATS 80
+#endif
 layout(local_size_x = 64) in;
 // Record i: IN_FLOATS of the input, OUT_FLOATS of the output.
 layout(std430, binding = BIND_TEST_IN) readonly buffer In { float inputs[]; };

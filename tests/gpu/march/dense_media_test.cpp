@@ -294,7 +294,10 @@ TEST(DenseMedia, BallUnderSlantedLight) {
         rows.check(
             fmt::format("sigma {}, target {} {}, {}", sigma, target.x, target.y, shadow::describe(spec)),
             test::onTheAxis(sceneOf(volumes, light), kEye, target, 1, 1).x, right,
-            spec.kind == ShadowSpec::Kind::RayMarch ? 0.01 : sigma >= 1e4 ? 0.25 : 0.02, 1e-4);
+            spec.kind == ShadowSpec::Kind::RayMarch ? 0.01
+            : sigma >= 1e4                          ? 0.25
+                                                    : 0.02,
+            1e-4);
       }
     }
 }

@@ -205,7 +205,10 @@ TEST(Lab, TunesAndWritesIntoTheNodesAndComparesAll) {
   ui.click("shootout/cancel");
   ASSERT_TRUE(ui.waitRect("shootout/run"));
   const auto rows = [&] { return ui.trace()["notes"].value("shootout rows", ""); };
-  EXPECT_TRUE(rows().starts_with("Ray march\nFourier opacity 11\n")) << "least mean error first: " << rows();
+  // One more may have been finished before it stopped.
+  EXPECT_TRUE(rows().starts_with("Ray march\n") &&
+              rows().find("Fourier opacity 11\nFourier opacity 7\nFourier opacity 3") != std::string::npos)
+      << "least mean error first: " << rows();
   ui.click("shootout/column/2");
   EXPECT_TRUE(ui.waitFor([&](const json&) { return rows().starts_with("Ray march\nFourier opacity 3\n"); }))
       << "and the largest: " << rows();

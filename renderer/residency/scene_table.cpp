@@ -9,10 +9,12 @@ namespace pileus::residency {
 
 void SceneTable::set(Section section, const void* data, std::size_t bytes) {
   Part& part = parts_[std::size_t(section)];
-  std::vector<uvec4> texels((bytes + sizeof(uvec4) - 1) / sizeof(uvec4), uvec4(0));
-  if (bytes > 0) std::memcpy(texels.data(), data, bytes);
-  if (texels == part.texels) return;
-  part.texels = std::move(texels);
+  // Mostly it is what is there: passes set all sections before each dispatch.
+  const std::size_t count = (bytes + sizeof(uvec4) - 1) / sizeof(uvec4);
+  if (part.bytes == bytes && (bytes == 0 || std::memcmp(part.texels.data(), data, bytes) == 0)) return;
+  part.texels.assign(count, uvec4(0));
+  if (bytes > 0) std::memcpy(part.texels.data(), data, bytes);
+  part.bytes = bytes;
   part.changed = true;
 }
 

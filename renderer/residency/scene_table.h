@@ -35,6 +35,7 @@ class SceneTable {
  private:
   struct Part {
     std::vector<uvec4> texels;
+    std::size_t bytes = 0;  ///< of them
     std::size_t first = 0, room = 0;
     bool changed = false;
   };

@@ -21,6 +21,7 @@ class RegionRun {
                             const dvec3& origin) {
     return set_.prepare(bricks, volumes, ms, origin);
   }
+  const dvec3& origin() const { return set_.origin(); }
   /// Lists for a picture or map of that size, as TileLists::build() has them.
   void list(ivec2 size, std::span<const PixelBounds> bounds, int items = 0) {
     tiles_.build(table_, size, bounds, items);

@@ -25,6 +25,8 @@ class VolumeSet {
   /// program.
   void bind(const BrickPool& pool, SceneTable& table, gl::Program& program) const;
   const volume::InstanceList& instances() const { return instances_; }
+  /// Of the last prepare().
+  const dvec3& origin() const { return origin_; }
   /// Variant constant SHAPES of lib/volume.glsl.
   int shapes() const { return shapes_; }
   /// Variant constant DENSE of lib/stretch.glsl: has any grid voxels through which next to no light comes?

@@ -85,7 +85,7 @@ Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
 
 Result<void> ShadowErrorPass::draw(const shadow::Gpu& gpu, view::LightSet& lights,
                                    residency::MarchBudget& budget, ivec2 from, ivec2 to) {
-  PILEUS_CHECK(lights.bind(gpu.store, march_.run.table(), view::CameraMarch::originOf(options_, lights)));
+  PILEUS_CHECK(lights.bind(gpu.store, march_.run.table(), march_.run.origin()));
   PILEUS_TRY(gl::Program * program,
              march_.bind(gpu, "truth/shadow_error.comp.glsl", options_, lights, budget));
   program->set("pairCount", static_cast<int>(lights.lights().size() / 2));

@@ -57,15 +57,22 @@ void setCamera(gl::Program& program, const RenderOptions& o, const dvec3& origin
   program.set("stepScale", static_cast<float>(o.stepScale));
 }
 
-}  // namespace
-
-dvec3 CameraMarch::originOf(const RenderOptions& options, const LightSet& lights) {
+// Shaders count positions from here: the eye, or what of the drawn media is nearest to it. Seen from far away
+// the light on them is looked up as exactly as from near by.
+dvec3 originOf(const RenderOptions& options, const LightSet& lights) {
   Box3 media;
   for (const volume::Instance& i : drawn(lights)) {
     const Box3 box = volume::worldBounds(i);
     if (!box.empty()) media.extend(box);
   }
   return media.empty() ? options.camera.eye : glm::clamp(options.camera.eye, media.min, media.max);
+}
+
+}  // namespace
+
+Result<residency::Residency> CameraMarch::prepare(const shadow::Gpu& gpu, const RenderOptions& options,
+                                                  const LightSet& lights, double ms) {
+  return run.prepare(gpu.bricks, lights.volumes(), ms, originOf(options, lights));
 }
 
 void CameraMarch::list(const RenderOptions& options, const LightSet& lights) {
@@ -90,7 +97,7 @@ Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry
       {{"SOLIDS", lights.drawnSolids() > 0}, {"RESUME", budget.resumes()}, {"REACHED", budget.reached()}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({entry}, all));
   PILEUS_CHECK(run.bind(gpu.bricks, *program));
-  setCamera(*program, options, originOf(options, lights));
+  setCamera(*program, options, run.origin());
   program->set("solidCount", int(lights.drawnSolids()));
   return program;
 }

@@ -14,19 +14,14 @@ class CameraMarch {
  public:
   /// Uploads the bricks of these lights' volumes for about `ms` milliseconds; go on once its fraction is 1.
   Result<residency::Residency> prepare(const shadow::Gpu& gpu, const RenderOptions& options,
-                                       const LightSet& lights, double ms) {
-    return run.prepare(gpu.bricks, lights.volumes(), ms, originOf(options, lights));
-  }
-  /// Shaders count positions from here: the eye, or what of the drawn media is nearest to it. Seen from far
-  /// away the light on them is looked up as exactly as from near by.
-  static dvec3 originOf(const RenderOptions& options, const LightSet& lights);
+                                       const LightSet& lights, double ms);
   /// Lists of what is drawn: the same, whichever lights there are.
   void list(const RenderOptions& options, const LightSet& lights);
   /// How marches under these lights pause; `lane` as in MarchBudget::plan(), `reached` as in MarchCost.
   void plan(residency::MarchBudget& budget, const RenderOptions& options, const LightSet& lights,
             const gl::DeviceInfo& device, int lane, int reached = 1) const;
   /// The variant of an entry for what is listed and these lights, with `defines` of its own; current, with
-  /// volumes, lists, camera and solids bound. The lights are the caller's to bind, with this origin and
+  /// volumes, lists, camera and solids bound. The lights are the caller's to bind, with run.origin() and
   /// before: what they have in the run's table is bound with it.
   Result<gl::Program*> bind(const shadow::Gpu& gpu, const char* entry, const RenderOptions& options,
                             const LightSet& lights, const residency::MarchBudget& budget,

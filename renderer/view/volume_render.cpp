@@ -65,7 +65,7 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   PILEUS_TRY(residency_, march_.prepare(gpu, scene_->options, lights_, ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
   if (!picture_) PILEUS_CHECK(start(gpu));
-  PILEUS_CHECK(lights_.bind(gpu.store, march_.run.table(), CameraMarch::originOf(scene_->options, lights_)));
+  PILEUS_CHECK(lights_.bind(gpu.store, march_.run.table(), march_.run.origin()));
   gl::RegionCursor& cursor = march_.run.cursor;
   do {
     PILEUS_TRY(const bool drawn, dispatch(gpu));

@@ -90,7 +90,11 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
     float ds = (to - from) / float(n);
     // Neighbouring steps are projected together while they span little of a basis period; behind a horizon
     // only their sum counts.
-    int chunk = behind ? 1 << 20 : clamp(n / (4 * BASIS_FLOATS), 1, 8), i = 0;
+    float share = 1.0;
+#if METRIC == METRIC_INTERVAL && BASIS != BASIS_PIECEWISE
+    share = metricU(METRIC, METRIC_COUNT, m, w, (r.anchor + to) * toX) - metricU(METRIC, METRIC_COUNT, m, w, (r.anchor + from) * toX);
+#endif
+    int chunk = behind ? 1 << 20 : int(clamp(float(n) / (float(4 * BASIS_FLOATS) * max(share, 1e-3)), 1.0, 8.0)), i = 0;
     do {
       // On to the next step with something in it: llvmpipe would project the empty ones too.
       float m0 = 0.0;
@@ -98,8 +102,9 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
       bool more;
       do {
         float at = from + (float(i) + 0.5) * ds;
-        int next = stepAtOrBehind(i, emptyUntil(r, at), from, 0.5, ds);
-        float sigma = next == i ? sigmaAt(r, at) : 0.0;
+        BrickPlace place = brickPlace(r, at);
+        int next = stepAtOrBehind(i, emptyUntil(r, place), from, 0.5, ds);
+        float here = mediumAt(r, place).w, sigma = next == i ? here : 0.0;
         first = first < 0 && sigma > 0.0 ? i : first;
         last = behind ? sigma > 0.0 ? i + 1 : last : next == i ? i + 1 : max(i, first);
         m0 += sigma;

@@ -26,6 +26,8 @@
 const bool kOverflow = OVERFLOW != 0;
 const float kNoEdge = 1e30;
 const float kCoarseSteps = 32.0;
+// Of so many voxels: over more, what is lost at its ends does not count.
+const float kShort = 8.0;
 // A volume is inside a stretch that misses so much of its chord: roundings differ between the places at which
 // a compiler repeats them.
 const float kSameEdge = 1e-5;
@@ -48,7 +50,8 @@ struct Stretch {
   Place start;            // where it begins, in that volume
   float span;             // metres from one to the other
   float ds;               // [m] a step where nothing is dense
-  float edge;             // [m] first and last step: what is next to a grid's face falls off over a voxel
+  float voxel;            // [m] the smallest of those active
+  float edge;             // [m] first and last step: next to a grid's face it falls off over a voxel
   float at, wanted;       // metres into the stretch to the next step, and how long it shall be
   float footprint;        // [m] where it begins
 };
@@ -79,7 +82,8 @@ Stretch beginStretches(vec3 o, vec3 d, vec2 from, float end, ivec2 range, float 
   s.count = 0, s.rest = range.y;
   s.begin = from, s.next = from, s.span = 0.0;
   s.first = -1, s.level = 0, s.start = placeAt(o + metres(from) * d);
-  s.ds = 0.0, s.edge = 0.0, s.at = 0.0, s.wanted = 0.0, s.footprint = 0.0;
+  for (int k = 0; k < ACTIVE; ++k) s.rays[k] = noRay();
+  s.ds = 0.0, s.voxel = 0.0, s.edge = 0.0, s.at = 0.0, s.wanted = 0.0, s.footprint = 0.0;
   return s;
 }
 
@@ -111,7 +115,7 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
     bool nearest = counts && edge < s.span;
     s.span = nearest ? edge : s.span;
     s.next = nearest ? vec2(ray.anchor, inside ? hit.y : hit.x) : s.next;
-    ds = inside ? min(ds, stepFor(v, footprint, scale)) : ds;
+    ds = inside ? min(ds, scale * stepFor(v, footprint)) : ds;
     finest = inside ? min(finest, stepFor(v, footprint)) : finest;
     voxel = inside ? min(voxel, voxelOf(v, level)) : voxel;
     s.level = inside && s.first < 0 ? level : s.level;
@@ -134,7 +138,8 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
   // Coarse steps are for long ways.
   ds = min(ds, max(finest, s.span / kCoarseSteps));
   s.ds = s.span / clamp(ceil(s.span / ds), 1.0, float(STRETCH_MOST_STEPS));
-  s.edge = ds < 0.75 * voxel ? s.ds : min(voxel, s.span);
+  s.voxel = min(voxel, s.span);
+  s.edge = ds < 0.75 * voxel || s.span > kShort * voxel ? s.ds : s.voxel;
   s.at = more && s.count > 0 ? 0.0 : s.span;
   s.wanted = s.edge;
   s.start = placeAt(s.o + metres(s.begin) * s.d);
@@ -178,12 +183,18 @@ StretchSample look(inout Stretch s, float cut) {
   x.ds = left <= 1.25 * least ? left : min(s.wanted, left - least);
   x.ds = cut > s.at ? min(x.ds, cut - s.at) : x.ds;
   float middle = x.from + 0.5 * x.ds, empty = 1e30;
-  for (int k = 0; k < ACTIVE; ++k) empty = k < s.count ? min(empty, emptyUntil(s.rays[k], middle)) : empty;
+  // Each page is fetched once, outside all branches.
+  BrickPlace at[ACTIVE];
+  for (int k = 0; k < ACTIVE; ++k) {
+    at[k] = brickPlace(s.rays[k], middle);
+    empty = min(empty, k < s.count ? emptyUntil(s.rays[k], at[k]) : 1e30);
+  }
   if (kOverflow) empty = s.rest < s.range.y ? middle : empty;
   bool something = empty <= middle;
   x.sigma = 0.0, x.glow = vec3(0.0);
   for (int k = 0; k < ACTIVE; ++k) {
-    x.media[k] = k < s.count && something ? mediumAt(s.rays[k], middle) : vec4(vec3(1.0), 0.0);
+    vec4 here = mediumAt(s.rays[k], at[k]);
+    x.media[k] = k < s.count && something ? here : vec4(vec3(1.0), 0.0);
     x.sigma += x.media[k].w;
     x.glow += k < s.count && something ? glowOf(s, k, x.media[k]) : vec3(0.0);
   }

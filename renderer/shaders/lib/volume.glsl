@@ -48,6 +48,17 @@ struct VolumeRay {
 #endif
 };
 
+// A line that meets nothing.
+VolumeRay noRay() {
+  VolumeRay r;
+  r.o = vec3(0.0), r.d = vec3(0.0), r.anchor = 0.0;
+  r.bricks = ivec3(0), r.pages = 0, r.extinction = 0.0, r.analytic = true;
+#if SHAPES & SHAPES_REMAPPED
+  r.remap = vec4(0.0);
+#endif
+  return r;
+}
+
 #if SHAPES & SHAPES_REMAPPED
 // What a density of the voxels becomes (w), and the factor of the albedo that goes with it.
 vec4 remapped(vec4 remap, float density) {
@@ -61,7 +72,7 @@ vec4 remapped(vec4 remap, float density) {
 // A coarse voxel stands for what is in it as long as it is thin: up to this optical depth, were it as dense
 // as the densest. Light falls off exponentially, so that the mean extinction of a thick one lets too little
 // pass.
-const float kThinVoxel = 0.1, kCoarseStep = 0.3;
+const float kThinVoxel = 0.1;
 
 // What of a footprint [m] volume v may be averaged over.
 float resolvable(int v, float footprint) {
@@ -80,15 +91,6 @@ int levelFor(int v, float footprint) {
 // March step [m] that resolves volume v at a footprint [m].
 float stepFor(int v, float footprint) {
   return shapeOf(v).x == SHAPE_GRID ? resolvable(v, footprint) : detailOf(v);
-}
-
-// The same where steps of `scale` details will do: but a step longer than a voxel holds little of the
-// densest.
-float stepFor(int v, float footprint, float scale) {
-  float step_ = stepFor(v, footprint);
-  bool grid = shapeOf(v).x == SHAPE_GRID;
-  float most = kCoarseStep * volumeRow(v, 11).y;
-  return grid && scale > 1.0 ? max(min(scale * step_, most), step_) : scale * step_;
 }
 
 // A voxel [m] of the level that goes with it.
@@ -227,33 +229,45 @@ bool emptyPage(VolumeRay r, uvec4 page) {
 #endif
 }
 
-// The t at which the ray leaves the brick around t.
-float leaveBrick(VolumeRay r, float t) {
-  vec3 q = r.o + t * r.d;
-  vec3 wall = (vec3(brickAt(q)) + vec3(greaterThan(r.d, vec3(0.0)))) * kBrick;
-  vec3 exits = mix((wall - q) / r.d, vec3(1e30), lessThan(abs(r.d), vec3(1e-20)));
-  return t + max(min(min(exits.x, exits.y), exits.z), 0.0);
-}
+// What is at t of a line: the place, its brick and that one's page.
+struct BrickPlace {
+  float t;
+  vec3 q;
+  ivec3 brick;
+  uvec4 page;
+};
 
-bool emptyBrick(VolumeRay r, float t) {
-  return !r.analytic && emptyPage(r, pageOf(r, brickAt(r.o + t * r.d)));
-}
-
-// Where the brick around t is empty: the t at which the ray leaves it. Elsewhere t.
-float emptyUntil(VolumeRay r, float t) {
+BrickPlace brickPlace(VolumeRay r, float t) {
+  BrickPlace at;
+  at.t = t, at.q = r.o + t * r.d;
 #if SHAPES & SHAPES_GRID
-  return emptyBrick(r, t) ? leaveBrick(r, t) : t;
+  at.brick = brickAt(at.q);
+  at.page = pageOf(r, at.brick);
+#endif
+  return at;
+}
+
+// The t at which the ray leaves the brick.
+float leaveBrick(VolumeRay r, BrickPlace at) {
+  vec3 wall = (vec3(at.brick) + vec3(greaterThan(r.d, vec3(0.0)))) * kBrick;
+  vec3 exits = mix((wall - at.q) / r.d, vec3(1e30), lessThan(abs(r.d), vec3(1e-20)));
+  return at.t + max(min(min(exits.x, exits.y), exits.z), 0.0);
+}
+
+// Where the brick is empty: the t at which the ray leaves it. Elsewhere where it is.
+float emptyUntil(VolumeRay r, BrickPlace at) {
+#if SHAPES & SHAPES_GRID
+  return !r.analytic && emptyPage(r, at.page) ? leaveBrick(r, at) : at.t;
 #else
-  return t;
+  return at.t;
 #endif
 }
+float emptyUntil(VolumeRay r, float t) { return emptyUntil(r, brickPlace(r, t)); }
 
-// At t: sigma_t [1/m] (w) and the factor of the albedo, or of what is emitted.
-vec4 mediumAt(VolumeRay r, float t) {
+// There: sigma_t [1/m] (w) and the factor of the albedo, or of what is emitted.
+vec4 mediumAt(VolumeRay r, BrickPlace at) {
 #if SHAPES & SHAPES_GRID
-  vec3 q = r.o + t * r.d;
-  ivec3 b = brickAt(q);
-  vec4 here = vec4(vec3(1.0), sampleBrick(pageOf(r, b), q, b));
+  vec4 here = vec4(vec3(1.0), sampleBrick(at.page, at.q, at.brick));
 #if SHAPES & SHAPES_REMAPPED
   here = remapped(r.remap, here.w);
 #endif
@@ -263,6 +277,7 @@ vec4 mediumAt(VolumeRay r, float t) {
   return vec4(vec3(1.0), max(r.extinction, 0.0));
 #endif
 }
+vec4 mediumAt(VolumeRay r, float t) { return mediumAt(r, brickPlace(r, t)); }
 
 // sigma_t [1/m] at t.
 float sigmaAt(VolumeRay r, float t) { return mediumAt(r, t).w; }
@@ -284,7 +299,9 @@ float denseDepth(VolumeRay r, float t0, float t1, float ds) {
   int i = 0;
   do {
     piece = min(piece, t1 - t);
-    float middle = t + 0.5 * piece, sigma = sigmaAt(r, middle), empty = emptyUntil(r, middle);
+    float middle = t + 0.5 * piece;
+    BrickPlace at = brickPlace(r, middle);
+    float sigma = mediumAt(r, at).w, empty = emptyUntil(r, at);
     bool dense = sigma * piece > 2.0 * kPiece && piece > 1e-6 * (t - t0);
     sum += dense ? 0.0 : sigma * piece;
     t = dense ? t : max(t + piece, empty > middle ? empty : t);
@@ -315,8 +332,10 @@ float opticalDepth(int v, Place from, vec3 d, float scale, float tMax) {
   int i = 0;
   do {
     float begin = t0 + (float(i) + 0.5) * ds;
-    int next = stepAtOrBehind(i, emptyUntil(r, begin), t0, 0.5, ds);
-    MARCH_SAMPLE(0) MARCH_SAMPLE(1) MARCH_SAMPLE(2) MARCH_SAMPLE(3)
+    BrickPlace at = brickPlace(r, begin);
+    int next = stepAtOrBehind(i, emptyUntil(r, at), t0, 0.5, ds);
+    sum += mediumAt(r, at).w;
+    MARCH_SAMPLE(1) MARCH_SAMPLE(2) MARCH_SAMPLE(3)
     i = max(next, i + MARCH_UNROLL);
     spend(1);
   } while (i < n && sum * ds < kDarkness);

@@ -114,7 +114,7 @@ float nextCut(Stretch s) {
     float foot = dot(to, s.d), near = 0.5 * length(to - s.at * s.d);
     bool ahead = lights[l].items.w != LIGHT_SUN && foot > s.at + 1e-3 * s.wanted;
     cut = ahead ? min(cut, foot) : cut;
-    near = max(near, 0.125 * min(s.wanted, s.edge));
+    near = max(near, 0.125 * min(s.wanted, s.voxel));
     cut = lights[l].items.w != LIGHT_SUN ? min(cut, s.at + near) : cut;
     ++l;
   } while (l < lightsHere());

@@ -127,9 +127,13 @@ void addDepth(CameraRay ray, Stretch s, StretchSample x) {
 }
 
 // Where the light is looked up that a step begins or ends with. Next to a face of a volume a hair inside:
-// whatever a ray along the face would meet, none of it is seen here.
+// whatever a ray along the face would meet, none of it is seen here. In maps places are as exact as they are
+// far from the pass's origin, in the volume itself the hair is enough.
 Place endOfStep(Stretch s, StretchSample x, bool begin) {
-  float at = begin ? x.from : x.from + x.ds, rounding = 1e-7 * length(s.start.p);
+  float at = begin ? x.from : x.from + x.ds, rounding = 0.0;
+#if LIGHT_KINDS & MAPPED_SHADOWS
+  rounding = 1e-7 * length(s.start.p);
+#endif
   float hair = min(max(1e-3 * x.ds, rounding), 0.5 * x.ds);
   at += begin && x.from <= 0.0 ? hair : 0.0;
   at -= !begin && s.at >= s.span ? hair : 0.0;

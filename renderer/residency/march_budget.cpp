@@ -1,13 +1,22 @@
 #include "renderer/residency/march_budget.h"
 
 #include <algorithm>
+#include <bit>
 
+#include "renderer/gl/region_cursor.h"
+#include "renderer/shaders/shared/records.h"
 #include "renderer/shaders/shared/resume.h"
 
 namespace pileus::residency {
 
 static_assert(8 * (MarchBudget::kLane + MARCH_MOST_STEPS / MARCH_UNROLL) < 65535 - 4000,
               "8 lanes, each in the longest march of its own");
+// A storage block that every device has.
+constexpr std::size_t kGuaranteed = std::size_t(128) << 20;
+constexpr std::size_t kMostPixels =
+    std::size_t(gl::RegionCursor::kMostTiles) * gl::RegionCursor::kTile * gl::RegionCursor::kTile;
+static_assert(16 + kMostPixels * MARCH_STATE_BYTES(std::bit_ceil(std::size_t(MAX_LIGHTS))) <= kGuaranteed,
+              "the states of the largest region");
 
 void MarchBudget::plan(const MarchCost& cost, const gl::DeviceInfo& device, int lane) {
   cost_ = cost;

@@ -67,6 +67,12 @@ std::vector<CurveRow> rows(const ShadowSpec& present) {
   line(std::array{256, 1024}, [](ShadowSpec& s, int n) { s = shadow::withResolution(s, n); });
   line(std::array{Weighting::None}, [](ShadowSpec& s, Weighting w) { s.metric.weighting = w; });
   line(std::array{0.0, 8.0, 12.0, 16.0}, [](ShadowSpec& s, double h) { s.metric.horizon = h; });
+  // Around the knee.
+  for (const int resolution : {256, 384, 512})
+    for (const int coefficients : {24, 32}) {
+      add(map(4, Storage::Float, false, coefficients, Storage::Half, resolution, Weighting::Root, 5.5));
+      add(map(4, Storage::Float, false, coefficients, Storage::Half, resolution, Weighting::Root, 8));
+    }
   // Corners of two and three parameters.
   for (const int resolution : {256, 512})
     for (const int intervals : {2, 4})

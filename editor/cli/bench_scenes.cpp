@@ -33,7 +33,7 @@ volume::Instance place(const volume::GridPtr& grid, const dvec3& at, double size
   i.grid = grid;
   i.worldFromLocal = composeTransform(at, dvec3(0, turn, 0), dvec3(size)) * grid->worldFromIndex;
   i.medium.extinction = sigma;
-  i.medium.anisotropy = 0.3;
+  i.medium.phase = scene::henyeyGreenstein(0.3);
   return i;
 }
 

@@ -10,6 +10,7 @@
 #include "editor/parameters/document_rows.h"
 #include "editor/parameters/param_row.h"
 #include "editor/parameters/parameter_room.h"
+#include "editor/parameters/phase_plot.h"
 #include "editor/picture/shown.h"
 #include "editor/time/clock.h"
 #include "editor/toolkit/draw_text.h"
@@ -226,6 +227,7 @@ void drawNodes(const ParameterRoom& room, const Names& names) {
   beginRows(room.parameters, names.front());
   ImGui::PushID(names.front().c_str());
   if (type) drawRows(room, names, *type);
+  if (type && type->id == "volume.medium" && names.size() == 1) drawPhasePlot(room, names.front());
   if (names.size() == 1) drawStatus(room.ui.theme, room.session, room.shown, names.front());
   ImGui::PopID();
   ImGui::EndChild();

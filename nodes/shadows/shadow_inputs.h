@@ -14,7 +14,7 @@ struct MetricIn {
   LightValue light;
   SolidValue solids;
   shadow::MetricOptions metric{
-      .resolution = 512, .weighting = shadow::Weighting::Root, .horizon = shadow::kUsualHorizon};
+      .resolution = 384, .weighting = shadow::Weighting::Root, .horizon = shadow::kUsualHorizon};
 };
 
 /// Of all others; which one it is stands in `spec.kind`.

@@ -13,7 +13,7 @@ using Pass = shadow::ExtinctionPass;
 ShadowIn defaults() {
   ShadowIn in = ofKind(ShadowSpec::Kind::Extinction);
   in.spec.extinction.resolution = 0;
-  in.spec.extinction.coefficients = 24;
+  in.spec.extinction.coefficients = 32;
   in.spec.extinction.storage = shadow::Storage::Half;
   return in;
 }

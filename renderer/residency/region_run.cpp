@@ -40,6 +40,7 @@ Result<bool> RegionRun::dispatch(gl::Program& program, ivec2 from, ivec2 to, Mar
 gl::Defines RegionRun::defines() const {
   return {{"SHAPES", shapes()},
           {"DENSE", set_.dense()},
+          {"PHASE_LOBES", set_.phaseLobes()},
           {"ACTIVE", std::clamp(longestList(), 1, kInRegisters)},
           {"OVERFLOW", longestList() > kInRegisters}};
 }

@@ -54,7 +54,8 @@ vec4 remapRow(const volume::Instance& i, Texels& texels) {
 
 constexpr double kFar = 1e30;  ///< metres: no end
 
-gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const dvec3& origin,
+/// `lobes`: the variant reads two lobes of a phase function.
+gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const dvec3& origin, bool lobes,
                          Texels& texels) {
   gpu::VolumeRecord r{};
   dmat4 worldFromLocal = i.worldFromLocal;
@@ -76,7 +77,9 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const
   r.localFromWorld = mat4(glm::inverse(worldFromLocal));
   r.boundsMin = vec4(vec3(bounds.min), float(i.medium.extinction));
   r.boundsMax = vec4(vec3(bounds.max), float(i.density));
-  r.albedo = vec4(i.medium.albedo, float(i.medium.anisotropy));
+  const scene::Phase& phase = i.medium.phase;
+  r.albedo = vec4(i.medium.albedo, float(lobes ? phase.blend : phase.first.g));
+  r.phase = vec4(phase.first.g, phase.first.alpha, phase.second.g, phase.second.alpha);
   if (i.emission) {
     r.boundsMin.w = -1, r.boundsMax.w = 1;
     r.albedo = vec4(i.shape == volume::Shape::Grid ? vec3(1) : vec3(i.emission->at(i.density)), 0);
@@ -120,10 +123,11 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     content_ = content;
     origin_ = origin;
     shapes_ = 0;
-    dense_ = false;
+    dense_ = lobes_ = false;
     constexpr double kDenseVoxel = 4;  // optical depth
     for (const volume::Instance& i : instances_)
       dense_ |= i.shape == volume::Shape::Grid && volume::majorant(i) * volume::detailSize(i) > kDenseVoxel;
+    for (const volume::Instance& i : instances_) lobes_ |= !i.emission && !i.medium.phase.simple();
     for (const volume::Instance& i : instances_)
       shapes_ |=
           (i.shape == volume::Shape::Grid ? SHAPES_GRID : SHAPES_EXACT) | (tableOf(i) ? SHAPES_REMAPPED : 0);
@@ -136,7 +140,7 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
   if (residency.fraction >= 1 && generation_ != pool.generation()) {
     Texels texels(instances_.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-      gpu::VolumeRecord r = record(instances_[i], pool, origin_, texels);
+      gpu::VolumeRecord r = record(instances_[i], pool, origin_, lobes_, texels);
       r.remap = remapRow(instances_[i], texels);
       texels.put(i, r);
     }

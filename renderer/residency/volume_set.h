@@ -31,13 +31,16 @@ class VolumeSet {
   int shapes() const { return shapes_; }
   /// Variant constant DENSE of lib/stretch.glsl: has any grid voxels through which next to no light comes?
   bool dense() const { return dense_; }
+  /// Variant constant PHASE_LOBES of lib/volume.glsl: does any medium scatter by more than one lobe of Henyey
+  /// and Greenstein?
+  bool phaseLobes() const { return lobes_; }
 
  private:
   volume::InstanceList instances_;
   Key content_;
   dvec3 origin_{0};
   int shapes_ = 0;
-  bool dense_ = false;
+  bool dense_ = false, lobes_ = false;
   std::uint64_t generation_ = ~std::uint64_t(0);
   std::vector<vec4> texels_;  ///< of the table
 };

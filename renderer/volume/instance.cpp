@@ -76,7 +76,9 @@ Key contentKey(const InstanceList& instances) {
   Hasher h;
   h.add(instances.size());
   for (const Instance& i : instances) {
-    h.add(i.shape).add(i.density).add(i.medium.extinction).add(i.medium.anisotropy);
+    h.add(i.shape).add(i.density).add(i.medium.extinction);
+    for (const scene::PhaseLobe& l : {i.medium.phase.first, i.medium.phase.second}) h.add(l.g).add(l.alpha);
+    h.add(i.medium.phase.blend);
     for (int c = 0; c < 3; ++c) h.add(i.medium.albedo[c]);
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r) h.add(i.worldFromLocal[c][r]);

@@ -122,7 +122,7 @@ double scatteredTowards(const volume::Instance& medium, const scene::Light& ligh
     return hit ? dvec2(std::max(hit->x, 0.0), std::max(hit->y, 0.0)) : dvec2(0);
   };
   const dvec2 span = inside(eye, d);
-  const double sigma = medium.medium.extinction, g = medium.medium.anisotropy;
+  const double sigma = medium.medium.extinction, g = medium.medium.phase.first.g;
   const int n = 200000;
   const double ds = (span.y - span.x) / n;
   double sum = 0;
@@ -141,7 +141,7 @@ double scatteredTowards(const volume::Instance& medium, const scene::Light& ligh
 TEST(SingleScattering, PointAndSpotLightsAgreeWithTheIntegral) {
   volume::Instance medium = test::box({0, 0, 0}, {4, 3, 5}, 0.6);
   medium.medium.albedo = vec3(float(kAlbedo));
-  medium.medium.anisotropy = 0.4;
+  medium.medium.phase = scene::henyeyGreenstein(0.4);
   const volume::InstanceList volumes{medium};
   const struct {
     const char* what;

@@ -124,7 +124,7 @@ inline Exact exactAlong(const volume::InstanceList& volumes, const std::vector<E
       for (const volume::Instance& v : volumes) {
         const double sigma = volume::sigmaAt(v, points[i]);
         extinction += sigma;
-        scattered += sigma * exactPhase(cosine, v.medium.anisotropy) * dvec3(v.medium.albedo);
+        scattered += sigma * scene::phaseValue(v.medium.phase, cosine) * dvec3(v.medium.albedo);
       }
       if (extinction > 0)
         sum.radiance += taken[i] * T[i] * e.falloff * dvec3(l.light.emitted) * scattered / extinction;

@@ -5,7 +5,8 @@
 // stretch count from where it begins: so that what is thin keeps its thickness however far away it is.
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they
 // are visited one by one), EMISSION (1: some volumes emit, and it counts; else, and if undefined, no glow)
-// STRETCH_ALBEDO (1: the active ones' albedo is kept too) and DENSE (1: there are voxels through which no
+// STRETCH_ALBEDO (1: the active ones' albedo is kept too), PHASE_LOBES (1: and with it the lobes of their
+// phase functions, which are not all Henyey and Greenstein's) and DENSE (1: there are voxels through which no
 // light comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch
 // on a constant is none.
 #pragma once
@@ -17,6 +18,10 @@
 #endif
 #ifndef STRETCH_ALBEDO
 #define STRETCH_ALBEDO EMISSION
+#endif
+
+#ifndef PHASE_LOBES
+#define PHASE_LOBES 0
 #endif
 
 #ifndef DENSE
@@ -43,6 +48,9 @@ struct Stretch {
   VolumeRay rays[ACTIVE]; // their places count from where the stretch begins
 #if STRETCH_ALBEDO
   vec4 albedo[ACTIVE];
+#if PHASE_LOBES
+  vec4 lobes[ACTIVE];
+#endif
 #endif
   int count, rest;        // how many are active; the first of the list that got no register
   vec2 begin, next;       // where it begins and where the next one does: anchor, rest
@@ -125,6 +133,9 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
         s.rays[k] = startingAt(ray, s.begin.y - ahead);
 #if STRETCH_ALBEDO
         s.albedo[k] = albedoOf(v);
+#if PHASE_LOBES
+        s.lobes[k] = lobesOf(v);
+#endif
 #endif
       }
     }

@@ -17,17 +17,19 @@ namespace pileus::gpu {
 
 // One placed volume, VOLUME_ROWS texels of the scene table. Local space is index coordinates relative to the
 // lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
-#define VOLUME_ROWS 14
+#define VOLUME_ROWS 15
 struct VolumeRecord {
   mat4 localFromWorld;
   mat4 worldFromLocal;
   vec4 boundsMin;  // local; w: extinction [1/m per unit density], or < 0: it only emits
   vec4 boundsMax;  // local; w: uniform density of a box or ball
-  vec4 albedo;  // rgb; w: anisotropy g. Of what emits: factor of the table's rgb, radiance gained per metre
+  vec4 albedo;  // rgb; w: g of Henyey and Greenstein, or with PHASE_LOBES the share of the second lobe. Of
+                // what emits: factor of the table's rgb, radiance gained per metre
   vec4 detail;  // x: smallest detail [m]
   ivec4 shape;  // x: SHAPE_*, y: texel of its first LevelRecord, z: number of levels, w: first resident level
   vec4 remap;  // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d +
                // z; w: empty up to it
+  vec4 phase;  // g and alpha of Draine's lobe, and of a second one
 };
 
 // Tables of remapped densities follow the volume records in the table: rgb factor of the albedo, w density.

@@ -39,21 +39,31 @@ vec3 arrivingIfDue(int l, vec3 p, out vec3 towards) {
   return paused ? vec3(0.0) : arriving;
 }
 
+// Of the volume in register k, and of volume v; `w` of its albedo.
+#if PHASE_LOBES
+float phaseOf(Stretch s, int k, float cosine) { return phaseOfLobes(cosine, s.lobes[k], s.albedo[k].w); }
+float phaseOf(int v, float w, float cosine) { return phaseOfLobes(cosine, lobesOf(v), w); }
+#else
+float phaseOf(Stretch s, int k, float cosine) { return phaseHg(cosine, s.albedo[k].w); }
+float phaseOf(int v, float w, float cosine) { return phaseHg(cosine, w); }
+#endif
+
 // Scattering per unit length and solid angle of one volume: sigma_s p.
-vec3 scattering(vec4 albedo, vec4 medium, float cosine) {
-  return medium.w * (albedo.rgb * medium.rgb) * phaseHg(cosine, albedo.w);
-}
+vec3 scattering(vec4 albedo, vec4 medium, float phase) { return medium.w * (albedo.rgb * medium.rgb) * phase; }
 
 // Of all that are active.
 vec3 scattering(Stretch s, StretchSample x, float cosine) {
   vec3 sum = vec3(0.0);
   for (int k = 0; k < ACTIVE; ++k)
-    sum += k < s.count ? scattering(s.albedo[k], x.media[k], cosine) : vec3(0.0);
+    sum += k < s.count ? scattering(s.albedo[k], x.media[k], phaseOf(s, k, cosine)) : vec3(0.0);
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
       VolumeRay ray;
-      if (isActive(s, item, ray))
-        sum += scattering(albedoOf(tileItem(item)), mediumAt(ray, middleOf(x)), cosine);
+      if (isActive(s, item, ray)) {
+        int v = tileItem(item);
+        vec4 albedo = albedoOf(v);
+        sum += scattering(albedo, mediumAt(ray, middleOf(x)), phaseOf(v, albedo.w, cosine));
+      }
     }
   }
   return sum;

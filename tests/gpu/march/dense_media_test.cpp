@@ -123,6 +123,28 @@ TEST(DenseMedia, BoxUnderTheDefaultMap) {
 TEST(DenseMedia, GridUnderMarchedShadows) { compareSlab("grid, marched shadows", gridSlab, marched()); }
 TEST(DenseMedia, GridUnderTheDefaultMap) { compareSlab("grid, default map", gridSlab, defaultMap()); }
 
+/// A metre across as well, under the map that nodes begin with. The quadrature knows the light from the
+/// sides.
+TEST(DenseMedia, ACubeOfAMetreUnderTheMapNodesBeginWith) {
+  test::renderer();
+  test::Rows rows("cube of a metre");
+  ShadowSpec spec = test::improved(4, 32, 384);
+  spec.extinction.storage = shadow::Storage::Half;
+  for (const double sigma : kSigmas)
+    for (const double off : kOff) {
+      const volume::InstanceList volumes{test::box({0, 0, 0}, {1, 1, 1}, sigma)};
+      const scene::Light sun = sunOff(off);
+      const double right =
+          test::exactAlong(volumes, {test::exactly(volumes, sun)}, kEye, {0, 0, -1}).radiance.x;
+      const auto light = test::shadowed(sun, spec, volumes);
+      for (const double step : {1.0, 4.0})
+        for (const int samples : {1, 16})
+          rows.check(
+              fmt::format("sigma {}, sun {} degrees off, step {}, {} samples", sigma, off, step, samples),
+              test::onTheAxis(sceneOf(volumes, light), kEye, dvec3(0), samples, step).x, right, 0.01);
+    }
+}
+
 TEST(DenseMedia, SeenAtASlant) {
   test::renderer();
   test::Rows rows("box, seen at a slant");

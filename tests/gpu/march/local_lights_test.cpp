@@ -72,7 +72,7 @@ void compareHaze(const char* table, bool grid, double g) {
     haze = test::gridInstance(full, 32, 0.02);
     haze.worldFromLocal = glm::scale(dmat4(1.0), dvec3(20)) * haze.worldFromLocal;
   }
-  haze.medium.anisotropy = g;
+  haze.medium.phase = scene::henyeyGreenstein(g);
   const volume::InstanceList volumes{haze};
   scene::Light light = test::pointAt({0.31, 0.17, 0.2}, 100);
   light.radius = 0;
@@ -118,7 +118,7 @@ TEST(LocalLights, CloseBesideTheRay) {
     for (const double g : {0.0, 0.8, -0.5})
       for (const ShadowSpec& spec : specs()) {
         volume::InstanceList haze = volumes;
-        haze[0].medium.anisotropy = g;
+        haze[0].medium.phase = scene::henyeyGreenstein(g);
         scene::Light light = test::pointAt({beside, 0, 1.3}, 1);
         light.radius = 0;
         view::RenderScene scene;

@@ -51,7 +51,7 @@ TEST(MarchNumbers, SharpMediaInAPicture) {
   for (const double g : {0.9, 0.99, 0.999, 0.9999, -0.999})
     for (const double off : {0.0, 0.02, 0.1, 1.0, 10.0}) {
       volume::Instance box = test::box({0, 0, 0}, {1, 1, 1}, 0.3);
-      box.medium.anisotropy = g;
+      box.medium.phase = scene::henyeyGreenstein(g);
       const double a = glm::radians(off);
       const scene::Light sun = test::sunFrom({std::sin(a), 0, g > 0 ? -std::cos(a) : std::cos(a)});
       shadow::ShadowSpec march;

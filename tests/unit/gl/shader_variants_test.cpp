@@ -26,6 +26,7 @@ struct Constant {
 const std::vector<Constant> kConstants = {{"SHAPES", {0, 1, 2, 3, 5, 7}},
                                           {"ACTIVE", {1, 2, 4}},
                                           {"OVERFLOW", {0, 1}},
+                                          {"PHASE_LOBES", {kAbsent, 1}},
                                           {"EMISSION", {kAbsent, 0, 1}},
                                           {"RESUME", {kAbsent, 0, 1}},
                                           {"SOLIDS", {0, 1}},

@@ -60,7 +60,11 @@ const std::vector<Way>& ways() {
   static const std::vector<Way> all = {
       {"another node", [](const UiSession& ui) { ui.click("header/Box"); }},
       {"the empty canvas", [](const UiSession& ui) { ui.click(ui.emptySpot()); }},
-      {"a socket", [](const UiSession& ui) { ui.click("socket/Render/out/image"); }},
+      {"a socket",
+       [](const UiSession& ui) {
+         ui.click("socket/Render/out/image");
+         ui.key("Escape");
+       }},
       {"the viewport", [](const UiSession& ui) { ui.click("viewport"); }},
       {"the right button",
        [](const UiSession& ui) {
@@ -81,7 +85,8 @@ const std::vector<Way>& ways() {
 }
 
 TEST(Fields, ANumberIsTakenHoweverItIsLeft) {
-  UiSession ui({1380, 860}, {graphFile().string()});
+  const fs::path file = graphFile();
+  UiSession ui({1380, 860}, {file.string()});
   ASSERT_TRUE(ui.running()) << ui.log();
   int value = 31;
   for (const Way& way : ways()) {
@@ -92,8 +97,7 @@ TEST(Fields, ANumberIsTakenHoweverItIsLeft) {
     EXPECT_TRUE(becomes(ui, "Sun", "irradiance", value)) << param(ui, "Sun", "irradiance");
     expectKeysAct(ui);
   }
-  EXPECT_EQ(json::parse(textOf(scratchFolder() / "fields.json"))["nodes"]["Sun"]["params"]["irradiance"],
-            value)
+  EXPECT_EQ(json::parse(textOf(file))["nodes"]["Sun"]["params"]["irradiance"], value)
       << "saved with what was typed";
 
   // What cannot be is dropped with a message.

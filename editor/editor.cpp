@@ -20,6 +20,7 @@
 #include "editor/picture/exporter.h"
 #include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
+#include "editor/preferences/settings_file.h"
 #include "editor/start/start_view.h"
 #include "editor/start/tour.h"
 #include "editor/status/log_panel.h"
@@ -31,6 +32,7 @@
 #include "editor/toolkit/window.h"
 #include "editor/viewport/viewport.h"
 #include "editor/viewport/viewport_room.h"
+#include "renderer/base/file.h"
 
 namespace pileus::editor {
 
@@ -39,6 +41,7 @@ struct Editor::Parts {
   Parts(Editor& editor, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme, Settings theSettings)
       : renderer(std::move(theRenderer)),
         settings(std::move(theSettings)),
+        settingsFile(configFolder(), settings),
         theme(std::move(theTheme)),
         commandLooks([&editor](std::string_view id) { return commandLook(editor, id); }),
         shown(*renderer),
@@ -46,6 +49,7 @@ struct Editor::Parts {
 
   std::unique_ptr<view::Renderer> renderer;
   Settings settings;
+  SettingsFile settingsFile;
   Theme theme;
   UiTrace trace;
   TraceReport report;
@@ -91,6 +95,7 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
                                      std::move(theSettings))),
       window(theWindow),
       settings(parts_->settings),
+      settingsFile(parts_->settingsFile),
       ui(parts_->ui),
       theme(parts_->theme),
       trace(parts_->trace),

@@ -14,6 +14,7 @@ class Exporter;
 class GraphPictures;
 class Messages;
 class Requests;
+class SettingsFile;
 class TraceReport;
 class UiTrace;
 class Window;
@@ -57,7 +58,8 @@ struct Editor {
 
  public:
   Window& window;
-  Settings& settings;  ///< preferences/settings.h
+  Settings& settings;          ///< preferences/settings.h
+  SettingsFile& settingsFile;  ///< preferences/settings_file.h
 
   // How it is drawn, and what is said.
   Ui& ui;  ///< toolkit/ui.h
@@ -100,7 +102,7 @@ struct Editor {
   const LabRoom& labRoom;
   const StatusRoom& statusRoom;
 
-  bool quit = false;
+  bool quit = false, quitAfterExport = false;
 };
 
 /// A different document was put in place: forgets what belonged to the old one.

@@ -29,6 +29,7 @@
 #include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
 #include "editor/preferences/settings.h"
+#include "editor/preferences/settings_file.h"
 #include "editor/start/start_view.h"
 #include "editor/start/tour.h"
 #include "editor/time/clock.h"
@@ -103,24 +104,32 @@ void evaluate(Editor& editor) {
     labWantsFrame(editor.shown, editor.lab) ? stepLab(editor.ui, editor.shown, editor.lab, left)
                                             : stepCompare(editor.messages, editor.shown, left);
   if (auto outcome = editor.exporter.step()) {
+    if (editor.quitAfterExport && *outcome) editor.quit = true;
     if (*outcome)
       editor.messages.info("Exported " + outcome->value().string());
     else
       editor.messages.error("Not exported: " + outcome->error().message);
   }
+  if (!editor.exporter.active()) editor.quitAfterExport = false;
+}
+
+/// Input that would leave a field, or that a field which is only now asked for shall have, waits.
+bool holdsInput(Editor& editor, const InputEvent& e, bool moved) {
+  const bool pressed = e.kind == InputEvent::Kind::Key && e.down;
+  return editor.fields.holds(e, moved, pressed && actsWhileTyping(editor, keyPressOf(e)));
 }
 
 void drawFrame(Editor& editor) {
   editor.trace.begin();
+  editor.fields.beginFrame();
   handleKeys(editor);
   stepPlayback(editor.session, editor.clock, editor.shown.preview.answered());
   drawPanels(editor);
-  editor.modals.browser.draw(editor.ui, editor.settings, editor.window.keys(),
-                             editor.session.document.path().parent_path());
   drawStart(editor.ui, editor.settings, editor.pictures, editor.start);
   drawDialogs(editor);
   drawCommandPalette(editor);
   drawTour(editor.ui, editor.settings, editor.tour);
+  if (const std::string lost = editor.fields.endFrame(); !lost.empty()) editor.messages.hint(lost);
 }
 
 /// What a crash report would list.
@@ -141,13 +150,16 @@ void noteEvents(const Editor& editor) {
   }
 }
 
-/// Unsaved work is kept while nothing moves; a program that is ended from outside keeps it at once.
+/// Unsaved work and settings are kept while nothing moves; a program that is ended from outside keeps it at
+/// once.
 void protectWork(Editor& editor) {
   const nodes::Document& d = editor.session.document;
   const bool resting = !ImGui::IsAnyMouseDown() && !editor.canvas.interaction.busy();
   editor.session.recovery.watch(d.root(), d.revision(), d.path(), d.dirty(), resting);
   if (const std::string error = editor.session.recovery.takeError(); !error.empty())
     editor.messages.warn("Unsaved work could not be kept for recovery: " + error);
+  if (const Result<void> kept = editor.settingsFile.watch(editor.settings); !kept)
+    editor.messages.warn("The settings could not be kept: " + kept.error().message);
   if (endSignal() == 0) return;
   if (d.dirty())
     if (const Result<void> saved = editor.session.recovery.saveNow(d.root(), d.path()); !saved)
@@ -157,12 +169,16 @@ void protectWork(Editor& editor) {
 
 /// Returns whether there is something new to draw.
 bool handleWindow(Editor& editor) {
+  if (editor.window.closeRequested() && editor.fields.leave()) return true;
   if (editor.window.closeRequested()) {
     editor.window.cancelClose();
-    if (!editor.modals.afterUnsaved) withSavedDocument(editor, [&editor] { editor.quit = true; });
+    if (!editor.modals.afterUnsaved) quit(editor);
   }
   editor.drops.take(editor.window.takeDroppedFiles());
-  const bool read = takeDrops(editor);
+  // A gesture that began with one graph ends with it, and so does typing: what arrives meanwhile comes after.
+  const bool gesture = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput ||
+                       editor.canvas.interaction.busy() || editor.timeline.drag != Timeline::Drag::None;
+  const bool read = !gesture && takeDrops(editor);
   editor.window.setTitle(std::string(editor.session.document.dirty() ? "\xe2\x80\xa2 " : "") +
                          documentName(editor.session) + " \xe2\x80\x93 Pileus");
   return read;
@@ -189,8 +205,8 @@ double idleSeconds(const Editor& editor, int settling) {
   // A notice is drawn while it fades, and once more when it is gone.
   if (const double left = editor.messages.msLeft(); left >= 0)
     due = std::clamp((left - 300) / 1000, 0.05, 30.0);
-  if (const double recovery = editor.session.recovery.dueSeconds(); recovery >= 0)
-    due = std::min(due, recovery + 0.05);
+  for (const double keep : {editor.session.recovery.dueSeconds(), editor.settingsFile.dueSeconds()})
+    if (keep >= 0) due = std::min(due, keep + 0.05);
   return due;
 }
 
@@ -218,6 +234,7 @@ void runFrame(Editor& editor, int& settling) {
   // Nothing that was drawn with is replaced before it is on the screen.
   const bool asked = carryOutRequests(editor), read = handleWindow(editor);
   if (asked || read) settling = kSettlingFrames;
+  if (asked) editor.fields.await(kSettlingFrames);  // they may have opened something to type into
   editor.report.write(editor);
   editor.now.frameMs = clock.ms();
 }
@@ -252,14 +269,16 @@ int withEditor(const EditorOptions& options, const std::function<void(Editor&)>&
       openFile(editor, options.file);
     const gl::DeviceInfo& device = editor.shown.renderer.device();
     crash::setDevice(device.renderer + ", " + device.version);
+    editor.window.holds = [&editor](const InputEvent& e, bool moved) { return holdsInput(editor, e, moved); };
     beginStart(editor.settings, editor.start, options.file.empty() && editor.settings.showStart);
     use(editor);
     // Saved or given up, unless somebody else ended the program.
     if (endSignal() == 0) editor.session.recovery.discard();
     editor.settings.window = (*window)->size();
-    if (const Result<void> saved = saveSettings(folder, editor.settings); !saved)
+    if (const Result<void> saved = editor.settingsFile.save(editor.settings); !saved)
       log::warn("{}", saved.error().message);
     setJobNotifier(nullptr);
+    editor.window.holds = {};
   }
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "editor/app/panel_areas.h"
 #include "editor/commands/menu.h"
@@ -41,7 +42,7 @@ void drawGraphPanel(Editor& editor, ImVec2 min, ImVec2 max, bool hovered) {
   drawCanvas(editor.graphRoom, min, max, hovered);
   drawCanvasMenu(editor.graphRoom);
   drawFrameTitleField(editor.ui, editor.session, editor.canvas);
-  drawSearch(editor.ui, editor.session, editor.settings, editor.canvas);
+  drawSearch(editor.graphRoom);
   drawFind(editor.ui, editor.session, editor.clock, editor.canvas);
 }
 
@@ -63,6 +64,17 @@ void drawContent(Editor& editor, Panel panel, ImVec2 min, ImVec2 max, bool hover
       return drawTimeline(editor.timelineRoom, min, max);
     case Panel::Global:
       return;
+  }
+}
+
+/// A panel that cannot be seen holds neither keys nor clicks.
+void forgetHidden(Editor& editor, Panel panel) {
+  if (panel == Panel::Graph) {
+    editor.canvas.interaction.armed.reset();
+    editor.canvas.search.opening = editor.canvas.find.opening = false;
+  } else if (panel == Panel::Parameters) {
+    editor.parameters.eyedropper.target.reset();
+    if (std::exchange(editor.parameters.points.dragging, false)) editor.session.document.endMerge();
   }
 }
 
@@ -196,7 +208,10 @@ void drawPanels(Editor& editor) {
       panelAreas(editor.settings, editor.now.maximised, {0, top}, {display.x, bottom}, editor.theme);
   Panel hovered = Panel::Global;
   for (const PanelInfo& info : allPanels())
-    if (!areas[info.panel].empty() && drawPanel(editor, info, areas[info.panel])) hovered = info.panel;
+    if (areas[info.panel].empty())
+      forgetHidden(editor, info.panel);
+    else if (drawPanel(editor, info, areas[info.panel]))
+      hovered = info.panel;
   beginFixed("##status", {0, bottom}, display, kFixed);
   drawStatusLine(editor.statusRoom, {0, bottom}, display);
   ImGui::End();

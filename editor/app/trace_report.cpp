@@ -37,9 +37,11 @@ void TraceReport::write(Editor& editor) {
   j["error"] = editor.shown.preview.error();
   j["exporting"] = editor.exporter.active();
   j["frame"] = editor.clock.frame;
+  j["answered"] = editor.shown.preview.answered();
   j["pictureFrame"] = editor.shown.preview.frame();
   j["playing"] = editor.clock.play.direction();
   j["typing"] = ImGui::GetIO().WantTextInput;
+  j["glFaults"] = editor.window.glFaults();
   j["message"] = editor.messages.text();
   editor.trace.end(editor.window.marks(), document_, std::move(j));
 }

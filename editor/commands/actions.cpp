@@ -118,6 +118,15 @@ bool runShortcut(Editor& editor, const KeyPress& press) {
   return false;
 }
 
+bool actsWhileTyping(const Editor& editor, const KeyPress& press) {
+  const Shortcut wanted = {press.key, press.ctrl, press.shift, press.alt};
+  const auto all = allActions();
+  return std::any_of(all.begin(), all.end(), [&](const Action& a) {
+    return a.whileTyping && (a.panel == Panel::Global || a.panel == editor.now.hovered) &&
+           std::find(a.keys.begin(), a.keys.end(), wanted) != a.keys.end();
+  });
+}
+
 bool runCommand(Editor& editor, std::string_view id) {
   const Action* action = findAction(id);
   if (!action || (action->enabled && !action->enabled(editor))) return false;

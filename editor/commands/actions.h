@@ -40,6 +40,8 @@ const Action* findAction(std::string_view id);
 std::string shortcutText(const Shortcut& shortcut);
 /// Runs the action of a key for the panel under the pointer, else the global one. False: no such shortcut.
 bool runShortcut(Editor& editor, const KeyPress& key);
+/// Would a text field that is typed into lose this key to a command?
+bool actsWhileTyping(const Editor& editor, const KeyPress& key);
 /// Runs a command if it is enabled; false: there is no such one, or it is not.
 bool runCommand(Editor& editor, std::string_view id);
 /// As menus show it; nothing for one that is not in the table.

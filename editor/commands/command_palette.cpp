@@ -17,6 +17,7 @@
 #include "editor/preferences/panel_list.h"
 #include "editor/preferences/settings.h"
 #include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/fields.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/ui_trace.h"
 #include "embedded_presets.h"
@@ -174,7 +175,7 @@ void drawCommandPalette(Editor& editor) {
   const bool open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   if (!open) return;
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing()) editor.fields.focusHere();
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##query", "Type a command, a preset or a recent file", &p.query);
   editor.trace.item("commands/field");

@@ -28,6 +28,18 @@ bool untouched(const Editor& editor) {
   return d.path().empty() && !d.canUndo() && !d.canRedo() && !d.dirty();
 }
 
+/// The node whose parameters and notes say most of an import: the file that is lit, which a medium reads.
+std::string volumeOf(const nodes::Graph& graph, const std::set<std::string>& added) {
+  for (const nodes::Link& link : graph.links)
+    if (added.contains(link.fromNode) && added.contains(link.toNode) &&
+        graph.nodes.at(link.fromNode)->type == "volume.vdb_file" &&
+        graph.nodes.at(link.toNode)->type == "volume.medium")
+      return link.fromNode;
+  for (const std::string& name : added)
+    if (graph.nodes.at(name)->type == "volume.vdb_file") return name;
+  return added.empty() ? std::string() : *added.begin();
+}
+
 void addVolumes(Editor& editor, const std::vector<volume::VdbFit>& fits) {
   if (fits.empty()) return;
   const bool fresh = untouched(editor);
@@ -49,8 +61,8 @@ void addVolumes(Editor& editor, const std::vector<volume::VdbFit>& fits) {
   if (!tryEdit(editor.session, editor.messages, scene->graph, label)) return;
   editor.session.document.endMerge();
   if (scene->camera && scene->cameraNode.empty()) editor.shown.freeCamera = scene->camera;
-  editor.session.document.select(scene->added);
-  (fresh ? editor.canvas.frameAll : editor.canvas.frameSelection) = true;
+  editor.session.document.select({volumeOf(scene->graph, scene->added)});
+  editor.canvas.frameAll = true;
   for (const volume::VdbFit& fit : fits)
     for (const std::string& line : explainFit(fit)) log::info("{}", line);
   std::string text = scene->summary;
@@ -128,6 +140,7 @@ bool takeDrops(Editor& editor) {
     editor.modals.questions.ask(std::move(q));
   }
   addVolumes(editor, content.volumes);
+  for (const std::string& note : content.notes) editor.messages.info(note);
   for (const fs::path& path : content.graphs) askGraph(editor, path);
   for (const auto& [path, text] : content.stills) askStill(editor, path, text);
   return true;
@@ -138,7 +151,7 @@ void askImportVdb(Editor& editor) {
   request.title = "Import volume";
   request.button = "Import";
   request.kinds = {"vdb"};
-  request.start = editor.session.document.path().parent_path();
+  request.otherwise = editor.session.document.path().parent_path();
   request.done = [&editor](const fs::path& path) { editor.drops.take({path}); };
   editor.modals.browser.open(editor.settings, std::move(request));
 }

@@ -8,9 +8,6 @@ namespace pileus::editor {
 namespace {
 
 bool hasView(const Editor& e) { return !shownView(e.session, e.shown).empty(); }
-void quit(Editor& e) {
-  withSavedDocument(e, [&e] { e.quit = true; });
-}
 
 using P = Panel;
 
@@ -48,6 +45,13 @@ const Action kActions[] = {
      .panel = P::Global,
      .keys = {ctrlShift(GLFW_KEY_S)},
      .run = [](Editor& e) { saveAs(e); },
+     .whileTyping = true},
+    {.id = "file.save_version",
+     .label = "Save Next Version",
+     .menu = "File",
+     .panel = P::Global,
+     .keys = {{{GLFW_KEY_S, true, false, true}}},
+     .run = saveNextVersion,
      .whileTyping = true},
     {.id = "file.export",
      .label = "Export EXR\xe2\x80\xa6",

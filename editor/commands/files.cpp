@@ -15,6 +15,7 @@
 #include "editor/picture/shown_camera.h"
 #include "editor/preferences/settings.h"
 #include "editor/time/clock.h"
+#include "editor/toolkit/file_listing.h"
 #include "editor/toolkit/modals.h"
 #include "embedded_presets.h"
 #include "nodes/file/serialize.h"
@@ -101,6 +102,21 @@ void withSavedDocument(Editor& editor, std::function<void()> then) {
     editor.modals.afterUnsaved = std::move(then);
   else
     then();
+}
+
+void quit(Editor& editor) {
+  withSavedDocument(editor, [&editor] {
+    if (!editor.exporter.active()) return void(editor.quit = true);
+    Question q;
+    q.id = "exporting";
+    q.title = editor.exporter.target().filename().string() + " is still being exported";
+    q.text =
+        fmt::format("It is {:.0f} % done. Quitting now leaves no file.", 100 * editor.exporter.fraction());
+    q.answers = {{"Quit when it is done", [&editor] { editor.quitAfterExport = true; }},
+                 {"Quit now", [&editor] { editor.quit = true; }},
+                 {"Cancel", {}}};
+    editor.modals.questions.ask(std::move(q));
+  });
 }
 
 void newDocument(Editor& editor) {
@@ -201,10 +217,16 @@ void saveAs(Editor& editor, std::function<void()> then) {
   request.kinds = {"json"};
   request.saving = true;
   request.start = editor.session.document.path();
+  request.name = "untitled.json";
   request.done = [&editor, then = std::move(then)](const fs::path& path) {
     if (write(editor, path) && then) then();
   };
   editor.modals.browser.open(editor.settings, std::move(request));
+}
+
+void saveNextVersion(Editor& editor) {
+  if (editor.session.document.path().empty()) return saveAs(editor);
+  write(editor, nextVersion(editor.session.document.path()));
 }
 
 void askExport(Editor& editor) {
@@ -216,13 +238,23 @@ void askExport(Editor& editor) {
   request.button = "Export";
   request.kinds = {"exr"};
   request.saving = true;
-  request.start = editor.session.document.path().parent_path();
+  request.otherwise = editor.session.document.path().parent_path();
+  request.name = fs::path(documentName(editor.session)).stem().string() + ".exr";
   request.done = [&editor, view](const fs::path& path) {
     ExportRequest wanted{
         editor.session.document.root(), view, path, editor.session.document.path().parent_path(), {}};
     if (linkedCamera(editor.session, view).empty()) wanted.freeCamera = editor.shown.freeCamera;
     wanted.frame = editor.clock.frame;
-    editor.exporter.start(std::move(wanted));
+    if (!editor.exporter.active()) return editor.exporter.start(std::move(wanted));
+    Question q;
+    q.id = "export running";
+    q.title = editor.exporter.target().filename().string() + " is still being exported";
+    q.text = fmt::format("It is {:.0f} % done. One picture is exported at a time.",
+                         100 * editor.exporter.fraction());
+    q.answers = {
+        {"Stop it, export " + path.filename().string(), [&editor, wanted] { editor.exporter.start(wanted); }},
+        {"Cancel", {}}};
+    editor.modals.questions.ask(std::move(q));
   };
   editor.modals.browser.open(editor.settings, std::move(request));
 }

@@ -13,6 +13,8 @@ struct Lost;  // recovery.h
 /// Runs `then` at once, or after the user chose to save or discard unsaved changes.
 void withSavedDocument(Editor& editor, std::function<void()> then);
 
+/// Ends the program, after questions about unsaved changes and a picture that is being exported.
+void quit(Editor& editor);
 void newDocument(Editor& editor);
 void askOpen(Editor& editor);
 /// Loads at once; what the file's faults are is shown, and a file that cannot be read leaves the document as
@@ -28,6 +30,8 @@ bool openPreset(Editor& editor, const std::string& name);
 /// To its file, or asks for one. `then` runs after a successful save.
 void save(Editor& editor, std::function<void()> then = {});
 void saveAs(Editor& editor, std::function<void()> then = {});
+/// "shot_v001.json" goes on as "shot_v002.json", or the next number that is free.
+void saveNextVersion(Editor& editor);
 void askExport(Editor& editor);
 
 }  // namespace pileus::editor

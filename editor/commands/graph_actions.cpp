@@ -1,4 +1,5 @@
 // Commands of the graph canvas.
+#include "editor/commands/panel_commands.h"
 #include "editor/commands/table.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/bookmarks.h"
@@ -78,12 +79,20 @@ const Action kActions[] = {
      .menu = "Edit",
      .panel = P::Graph,
      .keys = {plain(GLFW_KEY_TAB), shift(GLFW_KEY_A)},
-     .run = [](Editor& e) { searchNode(e.session, e.canvas); },
+     .run =
+         [](Editor& e) {
+           revealPanel(e, Panel::Graph);
+           searchNode(e.session, e.canvas);
+         },
      .separator = true},
     {.id = "graph.insert",
      .label = "Insert Node\xe2\x80\xa6",
      .panel = P::Graph,
-     .run = [](Editor& e) { searchNode(e.session, e.canvas); },
+     .run =
+         [](Editor& e) {
+           revealPanel(e, Panel::Graph);
+           searchNode(e.session, e.canvas);
+         },
      .enabled = hasLink},
     {.id = "graph.dot",
      .label = "Add Dot",
@@ -162,7 +171,11 @@ const Action kActions[] = {
      .menu = "Edit",
      .panel = P::Graph,
      .keys = {plain(GLFW_KEY_F2)},
-     .run = [](Editor& e) { e.fields.focusName = true; },
+     .run =
+         [](Editor& e) {
+           revealPanel(e, Panel::Parameters);
+           e.fields.focusName = true;
+         },
      .enabled = oneSelected},
     {.id = "graph.view",
      .label = "View This Node",

@@ -1,4 +1,5 @@
 // Commands that tidy the graph canvas and choose what it shows.
+#include "editor/commands/panel_commands.h"
 #include "editor/commands/table.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/arrange_commands.h"
@@ -27,7 +28,11 @@ const Action kActions[] = {
      .menu = "Edit",
      .panel = P::Graph,
      .keys = {ctrl(GLFW_KEY_F)},
-     .run = [](Editor& e) { openFind(e.canvas); },
+     .run =
+         [](Editor& e) {
+           revealPanel(e, Panel::Graph);
+           openFind(e.canvas);
+         },
      .enabled = hasNodes,
      .separator = true},
     {.id = "graph.arrange",

@@ -84,7 +84,7 @@ void ownLayouts(Editor& editor) {
   if (ImGui::BeginMenu("Save Layout As")) {
     std::string& name = editor.menuBar.layoutName;
     ImGui::SetNextItemWidth(editor.theme.px(180));
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) editor.fields.focusHere();
     bool keep = ImGui::InputTextWithHint("##name", "Name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
     editor.trace.item("layout name");
     ImGui::SameLine();

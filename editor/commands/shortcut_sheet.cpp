@@ -8,6 +8,7 @@
 
 #include "editor/editor.h"
 #include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/fields.h"
 #include "editor/toolkit/modals.h"
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui_trace.h"
@@ -47,7 +48,7 @@ void drawShortcutSheet(Editor& editor) {
   if (ImGui::IsWindowAppearing()) {
     sheet.map = keyboardMap();
     sheet.words.clear();
-    ImGui::SetKeyboardFocusHere();
+    editor.fields.focusHere();
   }
   ImGui::SetNextItemWidth(theme.px(260));
   ImGui::InputTextWithHint("##words", "Search", &sheet.words);

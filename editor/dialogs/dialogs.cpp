@@ -196,12 +196,16 @@ void drawAbout(Editor& editor) {
 }  // namespace
 
 void drawDialogs(Editor& editor) {
-  drawUnsaved(editor);
-  drawFaults(editor);
-  drawError(editor);
-  drawShortcuts(editor);
-  drawAbout(editor);
-  if (!editor.modals.afterUnsaved) drawQuestions(editor.ui, editor.modals.questions);
+  // One at a time: two would close each other. The others come back once it is answered.
+  Modals& m = editor.modals;
+  if (!m.errorText.empty()) return drawError(editor);
+  if (m.afterUnsaved) return drawUnsaved(editor);
+  if (!m.faults.empty()) return drawFaults(editor);
+  if (m.questions.open()) return drawQuestions(editor.ui, m.questions);
+  if (m.shortcuts) return drawShortcuts(editor);
+  if (m.about) return drawAbout(editor);
+  m.browser.draw(editor.ui, editor.settings, editor.window.keys(),
+                 editor.session.document.path().parent_path());
 }
 
 }  // namespace pileus::editor

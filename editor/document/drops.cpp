@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <optional>
 
 #include "editor/exchange/messages.h"
 #include "renderer/image/exr.h"
@@ -11,7 +13,52 @@ namespace fs = std::filesystem;
 namespace pileus::editor {
 namespace {
 
+constexpr std::size_t kMostFrames = 200;  // that are looked into for one that holds something
+
 std::string nameOf(const fs::path& path) { return path.filename().string(); }
+
+/// The files that differ from this one in the last number of their names and come after it, by that number.
+std::vector<fs::path> framesAfter(const fs::path& path) {
+  struct Name {
+    std::string head, tail;
+    std::string digits;
+  };
+  const auto split = [](const std::string& name) -> std::optional<Name> {
+    const std::size_t last = name.find_last_of("0123456789");
+    if (last == std::string::npos) return std::nullopt;
+    std::size_t first = last;
+    while (first > 0 && std::isdigit(static_cast<unsigned char>(name[first - 1]))) --first;
+    if (last + 1 - first > 9) return std::nullopt;
+    return Name{name.substr(0, first), name.substr(last + 1), name.substr(first, last + 1 - first)};
+  };
+  const std::optional<Name> own = split(nameOf(path));
+  std::map<int, fs::path> found;
+  std::error_code ec;
+  if (own)
+    for (fs::directory_iterator it(path.parent_path(), ec), end; !ec && it != end; it.increment(ec))
+      if (const auto n = split(nameOf(it->path())); n && n->head == own->head && n->tail == own->tail)
+        if (const int number = std::stoi(n->digits); number > std::stoi(own->digits))
+          found.emplace(number, it->path());
+  std::vector<fs::path> files;
+  for (const auto& [number, file] : found)
+    if (files.size() < kMostFrames) files.push_back(file);
+  return files;
+}
+
+/// A sequence may begin with frames that hold nothing yet: the first one that holds something is taken.
+Result<volume::VdbFit> firstFit(const fs::path& path, JobControl& control, std::vector<std::string>& notes) {
+  Result<volume::VdbFit> fit = volume::fitVdb(path, control);
+  if (fit && !fit->bounds.empty()) return fit;
+  for (const fs::path& next : framesAfter(path)) {
+    if (control.cancelled()) break;
+    Result<volume::VdbFit> other = volume::fitVdb(next, control);
+    if (!other || other->bounds.empty()) continue;
+    notes.push_back(nameOf(path) + " holds nothing to see; the first frame that does is " + nameOf(next) +
+                    ".");
+    return other;
+  }
+  return fit;
+}
 
 }  // namespace
 
@@ -56,7 +103,7 @@ DropContent readDrops(const std::vector<fs::path>& paths, JobControl& control) {
     } else if (kind == DropKind::Graph) {
       out.graphs.push_back(path);
     } else if (kind == DropKind::Volume) {
-      Result<volume::VdbFit> fit = volume::fitVdb(path, control);
+      Result<volume::VdbFit> fit = firstFit(path, control, out.notes);
       if (fit)
         out.volumes.push_back(std::move(*fit));
       else

@@ -28,6 +28,7 @@ struct DropContent {
   std::vector<volume::VdbFit> volumes;
   std::vector<std::pair<std::filesystem::path, std::string>> stills;  ///< with the graph's text they carry
   std::vector<std::string> refusals;                                  ///< one sentence a file
+  std::vector<std::string> notes;                                     ///< another frame was taken, and which
 };
 DropContent readDrops(const std::vector<std::filesystem::path>& paths, JobControl& control);
 

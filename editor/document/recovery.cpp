@@ -161,7 +161,9 @@ double Recovery::dueSeconds() const {
 }
 
 Result<void> Recovery::saveNow(const nodes::Graph& graph, const fs::path& path) {
-  job_.reset();  // joins: what it writes is older
+  job_.reset();                  // joins: what it writes is older
+  if (path != path_) discard();  // the set of another document, which was given up
+  path_ = path;                  // or watch() would take this one for that
   begin(graph, path);
   job_->wait();
   const Result<bool> result = job_->result();

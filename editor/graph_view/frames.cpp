@@ -120,15 +120,8 @@ void drawFrameTitleField(Ui& ui, Session& session, Canvas& canvas) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.theme.px(3), ui.theme.px(3)});
   const bool open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
   ImGui::PopStyleVar();
-  if (!open) {
-    // A click elsewhere keeps what was typed.
-    if (!field->opening && field->text != frame.title) {
-      frame.title = field->text;
-      tryEdit(session, ui.messages, nodes::setFrame(graph, field->frame, frame), "Rename frame");
-    }
-    return field.reset();
-  }
-  if (std::exchange(field->opening, false)) ImGui::SetKeyboardFocusHere();
+  if (!open) return field.reset();
+  if (std::exchange(field->opening, false)) ui.fields.focusHere();
   ImGui::SetNextItemWidth(ui.theme.px(230));
   const bool done = ImGui::InputText(
       "##title", &field->text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
@@ -137,7 +130,14 @@ void drawFrameTitleField(Ui& ui, Session& session, Canvas& canvas) {
     field->text = frame.title;
     ImGui::CloseCurrentPopup();
   }
-  if (done) ImGui::CloseCurrentPopup();
+  // Left in any way, it keeps what was typed, before anything else happens.
+  if (done || ImGui::IsItemDeactivated()) {
+    if (field->text != frame.title) {
+      frame.title = field->text;
+      tryEdit(session, ui.messages, nodes::setFrame(graph, field->frame, frame), "Rename frame");
+    }
+    ImGui::CloseCurrentPopup();
+  }
   ImGui::EndPopup();
 }
 

@@ -39,6 +39,7 @@ void number(Ui& ui, Session& session, Shown& shown, Parameters& parameters, cons
   Parameters& panel = parameters;
   ImGui::PushID(id);
   const RowFrame f = rowFrame(ui.theme, false);
+  const bool reset = value != fallback && modifiedDot(ui, id, "Changed; click to reset", f);
   rowLabel(ui.theme, f, label, value != fallback);
   toWidget(f);
   const NumberEdit n = numberField(ui.fields.number, ui.theme, id, value, field, f.width);
@@ -54,6 +55,10 @@ void number(Ui& ui, Session& session, Shown& shown, Parameters& parameters, cons
   if (n.finished) panel.settingsBefore.reset(), session.document.endMerge();
   if (n.refused) panel.refusedKey = merge, panel.refusedAt = ImGui::GetTime();
   if ((n.changed || n.finished) && !n.refused && panel.refusedKey == merge) panel.refusedKey.clear();
+  if (reset) {
+    apply(settings, fallback);
+    edit(session, shown, settings, std::string("Reset ") + label, "");
+  }
   rowHelp(ui.theme, parameters, f, help);
   drawRefusal(ui, parameters, merge);
   ImGui::PopID();

@@ -11,6 +11,7 @@
 #include "editor/parameters/parameters.h"
 #include "editor/picture/shown.h"
 #include "editor/time/clock.h"
+#include "editor/time/playback.h"
 #include "editor/toolkit/ui.h"
 #include "nodes/file/serialize.h"
 #include "nodes/graph/graph_animation.h"
@@ -105,6 +106,10 @@ ParamState paramState(const Session& session, const Clock& clock, const ParamTar
 void changeParam(const ParameterRoom& room, const ParamTarget& target, const ParamChange& change,
                  bool dragging) {
   if (dragging) remember(room.session, room.parameters, target);
+  // An animated parameter gets a key, and all of a drag at one frame.
+  for (const std::string& name : target.nodes)
+    if (const nodes::Node* node = nodes::findNode(room.session.document.graph(), name))
+      if (node->animated.contains(target.spec->id)) stopPlayback(room.clock);
   Result<Graph> graph = onEach(room.session, target.nodes, [&](const Graph& g, const std::string& name) {
     const ParamValue value =
         change(nodes::paramValue(*nodes::findNode(g, name), *target.spec, room.clock.frame));
@@ -200,7 +205,11 @@ void copyParam(const Session& session, const Clock& clock, const ParamTarget& ta
 
 void pasteParam(const ParameterRoom& room, const ParamTarget& target) {
   const char* text = ImGui::GetClipboardText();
-  const std::string shown = std::string(text ? text : "").substr(0, 40);
+  const std::string whole = text ? text : "";
+  std::size_t end = std::min<std::size_t>(whole.size(), 40);
+  while (end > 0 && end < whole.size() && (static_cast<unsigned char>(whole[end]) & 0xC0) == 0x80)
+    --end;  // UTF-8
+  const std::string shown = whole.substr(0, end);
   Result<ParamValue> value = nodes::parseParam(*target.spec, text ? text : "");
   if (value) value = nodes::checkedParam(*target.spec, *value);
   if (!value)

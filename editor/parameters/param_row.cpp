@@ -59,19 +59,6 @@ void socketMark(Ui& ui, Session& session, const Clock& clock, const ParamTarget&
     draw->AddCircle(c, theme.px(3.5f), hovered ? color : palette::kTextFaint, 0, 1.2f * theme.scale);
 }
 
-bool modifiedDot(Ui& ui, const ParamTarget& target, const RowFrame& f) {
-  const Theme& theme = ui.theme;
-  ImGui::SetCursorScreenPos({f.at.x + theme.px(kSocket), f.at.y});
-  const bool reset = ImGui::InvisibleButton("reset", {theme.px(kDot), f.height});
-  ui.trace.item("modified/" + target.spec->id);
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered) tooltip(theme, "Changed; click to reset (Backspace)");
-  ImGui::GetWindowDrawList()->AddCircleFilled(
-      {f.at.x + theme.px(kSocket + 4), std::round(f.at.y + 0.5f * f.height)}, theme.px(hovered ? 4.0f : 2.5f),
-      palette::kAccent);
-  return reset;
-}
-
 bool animatable(const ParamSpec& spec) {
   return spec.type != ParamType::File && !nodes::constantOnly(spec.type);
 }
@@ -208,6 +195,19 @@ bool rowLabel(const Theme& theme, const RowFrame& f, const std::string& label, b
   return textWidth(theme.body, label) > room;
 }
 
+bool modifiedDot(Ui& ui, const std::string& id, const char* help, const RowFrame& f) {
+  const Theme& theme = ui.theme;
+  ImGui::SetCursorScreenPos({f.at.x + theme.px(kSocket), f.at.y});
+  const bool reset = ImGui::InvisibleButton("reset", {theme.px(kDot), f.height});
+  ui.trace.item("modified/" + id);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) tooltip(theme, help);
+  ImGui::GetWindowDrawList()->AddCircleFilled(
+      {f.at.x + theme.px(kSocket + 4), std::round(f.at.y + 0.5f * f.height)}, theme.px(hovered ? 4.0f : 2.5f),
+      palette::kAccent);
+  return reset;
+}
+
 void toWidget(const RowFrame& f) {
   ImGui::SetCursorScreenPos({f.at.x + f.widget, f.stacked ? f.at.y + f.height : f.at.y});
 }
@@ -236,7 +236,8 @@ void drawParamRow(const ParameterRoom& room, const ParamTarget& target) {
   const RowFrame f = rowFrame(room.ui.theme, wide, nodes::constantOnly(spec.type));
   const bool lit = room.parameters.litParam == spec.id;
   socketMark(room.ui, room.session, room.clock, target, state, f, lit);
-  const bool reset = state.modified && modifiedDot(room.ui, target, f);
+  const bool reset =
+      state.modified && modifiedDot(room.ui, spec.id, "Changed; click to reset (Backspace)", f);
   const bool clipped = rowLabel(room.ui.theme, f, spec.label, state.modified);
   ImGui::SetCursorScreenPos(f.at);
   keyMark(room.ui, room.session, room.clock, target, state, f, lit);

@@ -26,6 +26,8 @@ struct RowFrame {
 RowFrame rowFrame(const Theme& theme, bool wide, bool below = false);
 /// The label in its place; true if it does not fit.
 bool rowLabel(const Theme& theme, const RowFrame& frame, const std::string& label, bool strong);
+/// The dot of a value that is not the default; true: it was clicked, to reset that.
+bool modifiedDot(Ui& ui, const std::string& id, const char* help, const RowFrame& f);
 /// Moves to where the widget goes.
 void toWidget(const RowFrame& frame);
 /// The reason why the last text typed into the row `key` was not taken, below it.

@@ -8,6 +8,7 @@
 #include "editor/document/session.h"
 #include "editor/parameters/parameter_room.h"
 #include "editor/parameters/parameters.h"
+#include "editor/time/playback.h"
 #include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
@@ -105,6 +106,7 @@ NumberField numberFieldOf(const ParamSpec& spec) {
 void applyNumber(const ParamWidget& w, const NumberEdit& edit, double before, double after, int axis) {
   const ParameterRoom& room = w.room;
   const ParamSpec& spec = *w.target.spec;
+  if (edit.began && w.state.animated) stopPlayback(room.clock);  // the key is for the frame that was seen
   if (edit.kelvin) {
     const dvec3 color = glm::round(dvec3(scene::temperatureColor(*edit.kelvin)) * 1e4) / 1e4;
     setParamValue(room, w.target, glm::clamp(color, dvec3(spec.hardMin), dvec3(spec.hardMax)));

@@ -43,7 +43,7 @@ void separator(const Theme& theme) {
 void drawName(Ui& ui, Session& session, Shown& shown, Parameters& parameters, const std::string& name) {
   Parameters& panel = parameters;
   if (panel.nameOf != name) panel.nameOf = name, panel.nameText = name;
-  if (ui.fields.focusName) ImGui::SetKeyboardFocusHere();
+  if (ui.fields.focusName) ui.fields.focusHere();
   ui.fields.focusName = false;
   ImGui::SetNextItemWidth(-1);
   ImGui::PushFont(ui.theme.strong);

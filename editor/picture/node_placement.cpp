@@ -1,5 +1,7 @@
 #include "editor/picture/node_placement.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,6 +121,45 @@ Result<nodes::Graph> withTarget(const nodes::Graph& graph, const GizmoTarget& be
   if (to.azimuth != before.azimuth) set("azimuth", tidy(to.azimuth, 100));
   if (to.elevation != before.elevation) set("elevation", std::clamp(tidy(to.elevation, 100), -90.0, 90.0));
   return out;
+}
+
+FittedNode fittedToScene(const nodes::Graph& graph, const std::string& name, const Box3& bounds) {
+  const nodes::Node* node = nodes::findNode(graph, name);
+  const std::optional<GizmoTarget> target = gizmoTarget(graph, name, dvec3(0), 0);
+  if (!node || !target || bounds.empty()) return {graph, {}};
+  const dvec3 size = bounds.size();
+  const double edge = std::max({size.x, size.y, size.z});
+  // The defaults stand well in a scene of some metres.
+  if (!std::isfinite(edge) || edge <= 0 || (edge > 0.5 && edge < 8)) return {graph, {}};
+  const auto round = [](double v) {  // to 1, 2 or 5 times a power of ten
+    const double decade = std::pow(10, std::floor(std::log10(v)));
+    return decade * (v / decade < 1.5 ? 1 : v / decade < 3.5 ? 2 : v / decade < 7.5 ? 5 : 10);
+  };
+  GizmoTarget to = *target;
+  const dvec3 middle = bounds.center();
+  std::string note;
+  if (node->type == "solid.plane") {
+    to.scale = dvec3(round(4 * edge), to.scale.y, round(4 * edge));
+    to.position = {middle.x, bounds.min.y, middle.z};
+    note = fmt::format("{}: {:g} m wide, under the volumes", name, to.scale.x);
+  } else if (node->type == "volume.box" || node->type == "solid.box") {
+    to.scale *= round(0.3 * edge) / std::max({to.scale.x, to.scale.y, to.scale.z});
+    to.position = middle;
+    note = fmt::format("{}: {:g} m wide, for a scene of {:.3g} m", name, to.scale.x, edge);
+  } else if (node->type == "volume.sphere") {
+    to.scale = dvec3(round(0.15 * edge));
+    to.position = middle;
+    note = fmt::format("{}: radius {:g} m, for a scene of {:.3g} m", name, to.scale.x, edge);
+  } else if (node->type == "light.point" || node->type == "light.spot") {
+    to.position = {middle.x + 0.4 * edge, bounds.max.y + 0.4 * edge, middle.z + 0.4 * edge};
+    if (to.aims) to.aim = middle;
+    note = fmt::format("{}: above the volumes, in a scene of {:.3g} m", name, edge);
+  } else {
+    return {graph, {}};
+  }
+  Result<nodes::Graph> fitted = withTarget(graph, *target, to, 0.1 * edge, 0);
+  if (!fitted) return {graph, {}};
+  return {std::move(*fitted), std::move(note)};
 }
 
 }  // namespace pileus::editor

@@ -44,4 +44,13 @@ std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::str
 Result<nodes::Graph> withTarget(const nodes::Graph& graph, const GizmoTarget& before,
                                 const GizmoTarget& after, double scale, double frame);
 
+/// A new node's size and place for a scene with these bounds, written as values: in a scene of 500 m a plane
+/// of 10 m would not be seen. Where the scene is about as large as the defaults are meant for, or the node is
+/// nothing that stands in it, the graph as it is.
+struct FittedNode {
+  nodes::Graph graph;
+  std::string note;  ///< what was done; "" = nothing
+};
+FittedNode fittedToScene(const nodes::Graph& graph, const std::string& node, const Box3& bounds);
+
 }  // namespace pileus::editor

@@ -12,8 +12,8 @@ namespace pileus::editor {
 namespace {
 
 constexpr double kBudgetMs = 30;
-constexpr double kDraftBudgetMs = 60;     // a draft is worth a longer frame, of its target at least
-constexpr double kDraftPatienceMs = 400;  // then a newer request replaces an unfinished draft
+constexpr double kDraftBudgetMs = 60;  // a draft is worth a longer frame, of its target at least
+constexpr double kCompilingMs = 400;   // a step this long waited for a driver that compiles programs
 
 bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
   return a.generation == b.generation && a.revision == b.revision && a.view == b.view && a.size == b.size &&
@@ -42,6 +42,7 @@ void Preview::begin(const PreviewRequest& wanted, bool draft) {
   current_ = wanted;
   draftPixels_ = pace_.pixels(), draftTexels_ = pace_.texels();
   stepsMs_ = 0;
+  waited_ = false;
   evaluations_.clear();
   for (const auto& [name, node] : current_.graph.nodes)
     evaluations_[name] = evaluator_.status(name).evaluations;
@@ -49,7 +50,6 @@ void Preview::begin(const PreviewRequest& wanted, bool draft) {
   fresh_ = false;
   complete_ = false;
   report_ = {};
-  draftAge_.restart();
 }
 
 void Preview::step(const PreviewRequest& wanted) {
@@ -60,10 +60,10 @@ void Preview::step(const PreviewRequest& wanted) {
   if (touched_ && !interacting()) touched_ = false;
   if (changed) {
     paused_ = false;
-    // An unfinished draft is finished first, unless it takes too long: otherwise a steady drag would never
-    // show anything.
+    // An unfinished draft is finished first, however long that takes: otherwise a steady drag or playback
+    // would never show anything. What it took is learnt, and the next one is small enough.
     const bool finishFirst = currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs &&
-                             wanted.view == current_.view && draftAge_.ms() < kDraftPatienceMs;
+                             wanted.view == current_.view && wanted.generation == current_.generation;
     if (!finishFirst) begin(wanted, !fast_ || fresh_);
   } else if (currentIsDraft_ && complete_ && !interacting()) {
     begin(wanted, false);
@@ -96,6 +96,7 @@ void Preview::step(const PreviewRequest& wanted) {
   if (complete_) ++answered_;
   lastStepMs_ = clock.ms();
   stepsMs_ += lastStepMs_;
+  waited_ = waited_ || report_.waitingForJobs || lastStepMs_ > settings.budgetMs + kCompilingMs;
   if (!currentIsDraft_ && complete_) fast_ = first && lastStepMs_ < kBudgetMs;
 
   error_.clear();
@@ -120,19 +121,16 @@ std::shared_ptr<const view::Picture> Preview::seed() const {
 /// Only what this draft made anew counts: results at hand cost nothing.
 void Preview::learnPace() {
   DraftTimes times{stepsMs_, 0, 0};
-  bool waited = false;
   for (const auto& [name, node] : current_.graph.nodes) {
     const nodes::NodeStatus& status = evaluator_.status(name);
     if (status.evaluations == evaluations_[name]) continue;
     (makesPictures(*node) ? times.picture : times.maps) += status.cpuMs;
-    waited = waited || status.evaluations > evaluations_[name] + 8;
   }
   if (times.picture <= 0 || !picture_) return;
   draftTimes_ = times;
   const dvec2 part = current_.region.max - current_.region.min;
   const double pixels = static_cast<double>(picture_->size.x) * picture_->size.y * part.x * part.y;
-  // What took many calls waited for a job, or for programs to be compiled.
-  if (!waited) pace_.learn(times, static_cast<int>(pixels), current_.draftMs);
+  if (!waited_) pace_.learn(times, static_cast<int>(pixels), current_.draftMs);
 }
 
 void Preview::takePicture(bool draft) {

@@ -83,11 +83,12 @@ class Preview {
   std::shared_ptr<const view::Picture> picture_;
   std::shared_ptr<const view::Picture> whole_;  ///< the last one that was no draft and no part
   std::string error_;
-  Stopwatch rest_, draftAge_;
+  Stopwatch rest_;
   DraftPace pace_;
   DraftTimes draftTimes_;
-  int draftPixels_ = 0, draftTexels_ = 0;             ///< of the current draft
-  double stepsMs_ = 0;                                ///< of all its steps
+  int draftPixels_ = 0, draftTexels_ = 0;  ///< of the current draft
+  double stepsMs_ = 0;                     ///< of all its steps
+  bool waited_ = false;                    ///< one of them, for a job or for programs to be compiled
   std::map<std::string, std::uint64_t> evaluations_;  ///< of each node when it began
   std::optional<int> frame_;  ///< wanted last: another one is like something that is dragged
   bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/base/file.h"
+#include "renderer/base/log.h"
 
 namespace pileus::editor {
 namespace {
@@ -123,6 +124,9 @@ Settings settingsFromText(std::string_view text) {
   read(j, "recentNodes", s.recentNodes);
   read(j, "recentFolders", s.recentFolders);
   read(j, "folderBookmarks", s.folderBookmarks);
+  if (const auto it = j.find("kindFolders"); it != j.end() && it->is_object())
+    for (const auto& [kind, where] : it->items())
+      if (where.is_string() && s.kindFolders.size() < 32) s.kindFolders[kind] = where.get<std::string>();
   return s;
 }
 
@@ -145,7 +149,8 @@ std::string settingsText(const Settings& s) {
             {"recentFiles", s.recentFiles},
             {"recentNodes", s.recentNodes},
             {"recentFolders", s.recentFolders},
-            {"folderBookmarks", s.folderBookmarks}};
+            {"folderBookmarks", s.folderBookmarks},
+            {"kindFolders", s.kindFolders}};
   writeLayout(j, s);
   writeViewSettings(j, s.view);
   if (s.window.x > 0) j["window"] = {s.window.x, s.window.y};
@@ -153,15 +158,25 @@ std::string settingsText(const Settings& s) {
 }
 
 Settings loadSettings(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "settings.json";
+  const std::filesystem::path path = folder / kSettingsName;
   std::error_code ec;
   if (!std::filesystem::exists(path, ec)) return {};
   const Result<std::string> text = readFile(path, 1 << 20);
-  return text ? settingsFromText(*text) : Settings{};
+  if (text && json::parse(*text, nullptr, false).is_object()) return settingsFromText(*text);
+  setDamagedAside(folder);
+  return {};
+}
+
+void setDamagedAside(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kSettingsName, aside = path.string() + ".bad";
+  std::error_code ec;
+  std::filesystem::rename(path, aside, ec);
+  log::warn("The settings in {} cannot be read; they were {} and begin anew.", path.string(),
+            ec ? "left out" : "renamed to " + aside.filename().string());
 }
 
 Result<void> saveSettings(const std::filesystem::path& folder, const Settings& settings) {
-  return writeFileAtomic(folder / "settings.json", settingsText(settings));
+  return writeFileAtomic(folder / kSettingsName, settingsText(settings));
 }
 
 }  // namespace pileus::editor

@@ -2,6 +2,7 @@
 // What the editor remembers between sessions (never part of a document): settings.json in the configuration
 // folder.
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct Settings : PanelLayout {
   std::vector<std::string> recentNodes;      ///< node type ids, newest first
   std::vector<std::string> recentFolders;    ///< of the file browser, newest first
   std::vector<std::string> folderBookmarks;  ///< of the file browser, as added
+  std::map<std::string, std::string>
+      kindFolders;  ///< of it: where files of an ending were last taken from or put
 
   bool operator==(const Settings&) const = default;
 };
@@ -48,8 +51,11 @@ void remember(std::vector<std::string>& list, const std::string& entry, std::siz
 Settings settingsFromText(std::string_view json);
 std::string settingsText(const Settings& settings);
 
-/// settings.json under `folder`; defaults when there is none.
+inline constexpr char kSettingsName[] = "settings.json";
+/// settings.json under `folder`; defaults when there is none. One that cannot be read is set aside.
 Settings loadSettings(const std::filesystem::path& folder);
+/// Renames a file that cannot be read to settings.json.bad, with a line in the log: it is not overwritten.
+void setDamagedAside(const std::filesystem::path& folder);
 Result<void> saveSettings(const std::filesystem::path& folder, const Settings& settings);
 
 }  // namespace pileus::editor

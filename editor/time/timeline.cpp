@@ -41,6 +41,13 @@ std::vector<AnimatedRow> keyRows(const nodes::Graph& graph, const std::set<std::
   std::vector<AnimatedRow> rows;
   for (const auto& [name, node] : graph.nodes) {
     if (!selection.empty() && !selection.contains(name)) continue;
+    // What is in a group plays with it.
+    if (node->group)
+      for (AnimatedRow row : keyRows(*node->group, {})) {
+        row.node = name + "/" + row.node;
+        row.title = name + "/" + row.title;
+        rows.push_back(std::move(row));
+      }
     const nodes::NodeType* type = nodes::findNodeType(node->type);
     for (const auto& [param, animation] : node->animated) {
       const nodes::ParamSpec* spec = type ? type->param(param) : nullptr;

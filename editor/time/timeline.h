@@ -34,11 +34,11 @@ using KeySelection = std::set<KeyRef>;
 
 /// An animated parameter.
 struct AnimatedRow {
-  std::string node, param;
+  std::string node, param;  ///< node: its name, or its path where it is in a group
   std::vector<nodes::AnimationKey> keys;
   std::string title;  ///< for the user: the node's name and the parameter's label
 };
-/// Of the selected nodes, of all nodes if none is selected.
+/// Of the selected nodes, of all nodes if none is selected; of groups also what is in them.
 std::vector<AnimatedRow> keyRows(const nodes::Graph& graph, const std::set<std::string>& selection);
 
 /// The rows of what a document shows, made anew only where graph or selection have changed.

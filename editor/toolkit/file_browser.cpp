@@ -26,13 +26,20 @@ bool pressed(ImGuiKey key, bool repeat = false) {
 
 void FileBrowser::open(const Settings& settings, BrowserRequest request) {
   request_ = std::move(request);
-  open_ = appear_ = focusName_ = true;
+  open_ = focusName_ = true;
   askReplace_ = showAll_ = go_ = false;
   error_.clear();
-  name_.clear();
+  name_ = request_.name;
   filter_.clear();
+  newFolder_.reset();
   std::error_code ec;
   fs::path start = request_.start;
+  if (start.empty() && !request_.kinds.empty())
+    if (const auto kind = settings.kindFolders.find(request_.kinds.front());
+        kind != settings.kindFolders.end())
+      start = kind->second;
+  if (start.empty() || (!fs::is_directory(start, ec) && !fs::is_directory(start.parent_path(), ec)))
+    start = request_.otherwise;
   if (!start.empty() && !fs::is_directory(start, ec)) {
     name_ = start.filename().string();
     start = start.parent_path();
@@ -83,6 +90,7 @@ void FileBrowser::select(int row) {
 
 void FileBrowser::finish(Ui& ui, Settings& settings, const fs::path& path) {
   remember(settings.recentFolders, path.parent_path().string(), 8);
+  if (!request_.kinds.empty()) settings.kindFolders[request_.kinds.front()] = path.parent_path().string();
   open_ = false;
   ImGui::CloseCurrentPopup();
   if (request_.done) ui.requests.push([done = std::move(request_.done), path] { done(path); });
@@ -132,8 +140,8 @@ void FileBrowser::handleKeys() {
 
 void FileBrowser::draw(Ui& ui, Settings& settings, std::span<const KeyPress> keys, const fs::path& document) {
   const Theme& theme = ui.theme;
-  if (appear_) ImGui::OpenPopup(kTitle);
-  appear_ = false;
+  // Also behind a question that stood before it.
+  if (open_ && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.48f}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(theme.px(820), display.x - theme.px(40)), 0});
@@ -147,6 +155,7 @@ void FileBrowser::draw(Ui& ui, Settings& settings, std::span<const KeyPress> key
   for (const KeyPress& key : keys) focusFilter_ |= key.key == 'F' && key.ctrl;
   handleKeys();
   drawTop(ui, settings);
+  drawNewFolder(ui);
   drawPlaces(ui, settings, document);
   ImGui::SameLine();
   drawEntries(ui);

@@ -4,6 +4,7 @@
 // the keyboard: arrows choose, Enter opens, Alt+Up goes to the folder above, Tab completes.
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,11 +18,13 @@ struct Settings;
 struct Ui;
 
 struct BrowserRequest {
-  std::string title, button;       ///< "Open graph", "Open"
-  std::vector<std::string> kinds;  ///< endings without the dot; empty = all files
-  bool saving = false;             ///< a new name may be typed; an existing file is asked about
-  bool sequences = false;          ///< a row of numbered files gives its pattern, else its first file
-  std::filesystem::path start;     ///< folder, or file to preselect; empty = last folder used
+  std::string title, button;        ///< "Open graph", "Open"
+  std::vector<std::string> kinds;   ///< endings without the dot; empty = all files
+  bool saving = false;              ///< a new name may be typed; an existing file is asked about
+  bool sequences = false;           ///< a row of numbered files gives its pattern, else its first file
+  std::filesystem::path start;      ///< folder, or file to preselect; empty = where this kind was last used
+  std::filesystem::path otherwise;  ///< folder, where this kind was not used yet; empty = last folder used
+  std::string name;                 ///< offered, where `start` names no file
   std::function<void(const std::filesystem::path&)> done;
 };
 
@@ -44,6 +47,7 @@ class FileBrowser {
   void drawEntries(Ui& ui);
   void drawRow(Ui& ui, int row, float width);
   void drawBottom(Ui& ui);
+  void drawNewFolder(Ui& ui);
   void drawNotice(Ui& ui, Settings& settings);
   void drawName(Ui& ui);
   std::filesystem::path typedPath() const;
@@ -51,7 +55,7 @@ class FileBrowser {
   void finish(Ui& ui, Settings& settings, const std::filesystem::path& path);
 
   BrowserRequest request_;
-  bool open_ = false, appear_ = false, askReplace_ = false, focusName_ = false, focusFilter_ = false;
+  bool open_ = false, askReplace_ = false, focusName_ = false, focusFilter_ = false;
   bool showAll_ = false, scrollToRow_ = false, go_ = false;
   FileOrder order_ = FileOrder::Name;
   bool descending_ = false;
@@ -59,6 +63,7 @@ class FileBrowser {
   std::vector<FileEntry> all_, entries_;  ///< of the folder; listed
   int row_ = -1;                          ///< chosen in entries_
   std::string name_, filter_, error_;
+  std::optional<std::string> newFolder_;  ///< its name while that is typed
 };
 
 }  // namespace pileus::editor

@@ -29,6 +29,11 @@ struct Columns {
 };
 Columns columns(const Theme& theme, float width) { return {width - theme.px(142), width}; }
 
+/// Of the list: what is above and below it keeps its place in a low window too.
+float listHeight(const Theme& theme) {
+  return std::clamp(ImGui::GetIO().DisplaySize.y - theme.px(300), theme.px(60), theme.px(318));
+}
+
 }  // namespace
 
 void FileBrowser::drawTop(Ui& ui, Settings& settings) {
@@ -53,6 +58,12 @@ void FileBrowser::drawTop(Ui& ui, Settings& settings) {
   ui.trace.item("browser/bookmark");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Keep this folder among the places, or remove it");
   ImGui::SameLine();
+  if (request_.saving) {
+    if (ImGui::Button(icon::kPlus)) newFolder_ = newFolder_ ? std::nullopt : std::optional<std::string>("");
+    ui.trace.item("browser/new folder");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("New folder");
+    ImGui::SameLine();
+  }
   const float search = theme.px(190);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x - search - theme.space(3);
@@ -68,7 +79,7 @@ void FileBrowser::drawTop(Ui& ui, Settings& settings) {
                    shown, room);
   ImGui::SetCursorScreenPos({at.x + room + theme.space(3), at.y});
   ImGui::SetNextItemWidth(search);
-  if (focusFilter_) ImGui::SetKeyboardFocusHere();
+  if (focusFilter_) ui.fields.focusHere();
   focusFilter_ = false;
   if (ImGui::InputTextWithHint("##filter", (std::string(icon::kSearch) + "  Filter (Ctrl+F)").c_str(),
                                &filter_))
@@ -76,9 +87,27 @@ void FileBrowser::drawTop(Ui& ui, Settings& settings) {
   ui.trace.item("browser/filter");
 }
 
+/// A line for its name, which Enter makes and goes into.
+void FileBrowser::drawNewFolder(Ui& ui) {
+  if (!newFolder_) return;
+  ImGui::SetNextItemWidth(-1);
+  if (newFolder_->empty() && !ImGui::IsAnyItemActive()) ui.fields.focusHere();
+  const bool enter = ImGui::InputTextWithHint("##new folder", "Name of the new folder; Enter makes it",
+                                              &*newFolder_, ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.trace.item("browser/new folder name");
+  if (!enter || newFolder_->empty()) return;
+  std::error_code ec;
+  const fs::path made = folder_ / *newFolder_;
+  fs::create_directory(made, ec);
+  if (ec) return void(error_ = fmt::format("{} cannot be made: {}.", made.string(), ec.message()));
+  newFolder_.reset();
+  this->enter(made);
+  focusName_ = true;
+}
+
 void FileBrowser::drawPlaces(Ui& ui, Settings& settings, const fs::path& document) {
   const Theme& theme = ui.theme;
-  ImGui::BeginChild("places", {theme.px(166), theme.px(340)}, false);
+  ImGui::BeginChild("places", {theme.px(166), listHeight(theme) + theme.px(22)}, false);
   const auto place = [&](const char* mark, const std::string& label, const fs::path& folder) {
     ImGui::PushID(folder.c_str());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -179,7 +208,7 @@ void FileBrowser::drawEntries(Ui& ui) {
   ImGui::SetCursorScreenPos({at.x, at.y + theme.px(22)});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kField);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
-  ImGui::BeginChild("entries", {0, theme.px(318)}, false,
+  ImGui::BeginChild("entries", {0, listHeight(theme)}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_AlwaysVerticalScrollbar);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(entries_.size()), ImGui::GetTextLineHeightWithSpacing());
@@ -211,7 +240,7 @@ void FileBrowser::drawName(Ui& ui) {
     return 0;
   };
   ImGui::SetNextItemWidth(-1);
-  if (focusName_) ImGui::SetKeyboardFocusHere();
+  if (focusName_) ui.fields.focusHere();
   focusName_ = false;
   go_ |= ImGui::InputTextWithHint(
       "##name", request_.saving ? "File name (Tab completes)" : "File name or path (Tab completes)", &name_,

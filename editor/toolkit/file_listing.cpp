@@ -152,7 +152,7 @@ std::vector<FileEntry> foldSequences(std::vector<FileEntry> entries) {
   };
   std::map<std::pair<std::string, std::string>, Group> groups;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries[i].folder) continue;
+    if (entries[i].folder || hasKind(entries[i].name, {"json"})) continue;
     const auto n = numbered(entries[i].name);
     if (!n) continue;
     Group& g = groups[{n->head, n->tail}];
@@ -227,6 +227,20 @@ std::string dateText(std::int64_t at) {
   if (!localtime_r(&time, &parts)) return {};
   return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday,
                      parts.tm_hour, parts.tm_min);
+}
+
+fs::path nextVersion(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  std::size_t begin = stem.find_last_not_of("0123456789");
+  begin = begin == std::string::npos ? 0 : begin + 1;
+  std::string head = stem.substr(0, begin), digits = stem.substr(begin);
+  if (digits.empty() || digits.size() > 8) head = stem + "_v", digits = "001";
+  std::error_code ec;
+  for (int number = std::stoi(digits) + 1;; ++number) {
+    const fs::path next = file.parent_path() /
+                          fmt::format("{}{:0{}}{}", head, number, digits.size(), file.extension().string());
+    if (!fs::exists(next, ec)) return next;
+  }
 }
 
 std::string expandedHome(const std::string& path) {

@@ -28,7 +28,7 @@ bool hasKind(const std::string& name, const std::vector<std::string>& kinds);
 /// Folders, and files of the kinds, whose name holds every word of `filter`, in any case.
 std::vector<FileEntry> filtered(const std::vector<FileEntry>& entries, const std::vector<std::string>& kinds,
                                 const std::string& filter);
-/// Two or more files that differ in the last number of their names become one entry.
+/// Two or more files that differ in the last number of their names become one entry; documents never do.
 std::vector<FileEntry> foldSequences(std::vector<FileEntry> entries);
 /// Folders first, then as ordered; names by their numbers ("a2" before "a10").
 void sortEntries(std::vector<FileEntry>& entries, FileOrder order, bool descending);
@@ -41,6 +41,10 @@ bool isPattern(const std::string& name);
 std::string sizeText(std::uintmax_t bytes);
 /// "2026-11-24 15:08"; local time.
 std::string dateText(std::int64_t seconds);
+
+/// The same name with the next number that no file has: "a_v009.json" gives "a_v010.json", "a.json"
+/// "a_v002.json".
+std::filesystem::path nextVersion(const std::filesystem::path& file);
 
 /// "~" and "~/x" with the home folder in its place.
 std::string expandedHome(const std::string& path);

@@ -1,6 +1,7 @@
 #include "editor/toolkit/number_field.h"
 
 #include <fmt/core.h>
+#include <imgui_internal.h>  // Tab is ours
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -20,9 +21,10 @@ void typeInto(NumberFieldState& state, ImGuiID id, double value, const NumberFie
   state.drawn = ImGui::GetFrameCount();
   state.focus = true;
   state.live = state.wasRefused = false;
+  state.onwards = state.next = 0;
   state.before = value;
   state.refusal.clear();
-  state.text = f.mixed ? "" : numberText(value, f.integer);
+  state.text = state.initial = f.mixed ? "" : numberText(value, f.integer);
 }
 
 /// Why the text cannot be the value; "" = it can, and `value` is set.
@@ -54,7 +56,7 @@ int onArrow(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-/// The end of typing by Enter or by going elsewhere.
+/// The end of typing by Enter or Tab, which stay where the text cannot be, or by going elsewhere.
 void endTyping(NumberFieldState& state, NumberEdit& edit, double& value, const NumberField& f, bool enter) {
   const double shown = value;
   if (f.takesKelvin) edit.kelvin = kelvinFromText(state.text);
@@ -65,6 +67,7 @@ void endTyping(NumberFieldState& state, NumberEdit& edit, double& value, const N
   edit.dragging = state.live;  // with what the arrows did: one step
   state.wasRefused = edit.refused && enter;
   if (state.wasRefused) return void(state.focus = true);  // stays, to be mended
+  if (edit.refused) state.dropped = fmt::format("\"{}\" was not taken. {}", state.text, state.refusal);
   state.typing = 0;
   edit.finished = true;
 }
@@ -74,7 +77,9 @@ NumberEdit typeField(NumberFieldState& state, const Theme& theme, double& value,
   NumberEdit edit;
   ImGui::SetNextItemWidth(width);
   const bool first = state.focus;
+  edit.began = first;
   if (first) ImGui::SetKeyboardFocusHere();
+  if (first) state.focused = false, state.asked = ImGui::GetFrameCount();
   state.focus = false;
   Arrows arrows;
   const bool enter =
@@ -82,15 +87,33 @@ NumberEdit typeField(NumberFieldState& state, const Theme& theme, double& value,
                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                            ImGuiInputTextFlags_CallbackHistory,
                        onArrow, &arrows);
+  if (ImGui::IsItemActive()) {
+    state.focused = true;
+    ImGui::GetCurrentContext()->ActiveIdUsingKeyInputMask |= ImU64(1) << ImGuiKey_Tab;
+  }
   const bool left = !first && ImGui::IsItemDeactivated();
+  const bool tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false);
   if (left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     edit.cancelled = state.live;
     edit.finished = true;
     state.refusal.clear();
     state.wasRefused = false;
     state.typing = 0;
+  } else if (tab) {
+    const bool back = ImGui::GetIO().KeyShift;
+    endTyping(state, edit, value, f, true);
+    if (state.typing == 0) {
+      ImGui::ClearActiveID();
+      const ImGuiID window = ImGui::GetCurrentWindow()->ID;
+      state.onwards = back ? 0 : window;
+      state.next = back && state.lastWindow == window ? state.last : 0;
+      state.nextAt = ImGui::GetFrameCount();
+    }
   } else if (enter || left) {
     endTyping(state, edit, value, f, enter);
+  } else if (!state.focused && ImGui::GetFrameCount() > state.asked + kFocusFrames) {
+    state.typing = 0;  // something else has the keyboard
+    edit.finished = true;
   } else if (arrows.stepped) {
     double next = value;
     if (commit(state.text, state.before, next, f).empty() && next != value) {
@@ -166,6 +189,7 @@ void dragField(NumberFieldState& state, const Theme& theme, NumberEdit& edit, do
                const NumberField& f, float width) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsMouseDragging(0, 3 * theme.scale) && !state.moved) return;
+  edit.began = !state.moved;
   const double pixels = state.moved ? static_cast<double>(io.MouseDelta.x)
                                     : static_cast<double>(ImGui::GetMouseDragDelta(0, 0).x);
   state.moved = true;
@@ -210,12 +234,18 @@ NumberEdit numberField(NumberFieldState& state, const Theme& theme, const char* 
   const ImGuiIO& io = ImGui::GetIO();
   // It was not drawn for a while: what was typed then is given up.
   if (state.typing == self && !state.shown()) state.typing = 0, state.wasRefused = false;
+  const ImGuiID window = ImGui::GetCurrentWindow()->ID;
+  if (state.typing == 0 && !f.locked &&
+      ((state.next == self && ImGui::GetFrameCount() <= state.nextAt + 1) || state.onwards == window))
+    typeInto(state, self, value, f);
   if (state.typing == self || state.active == self) state.drawn = ImGui::GetFrameCount();
   if (state.typing == self && !f.locked) {
     edit = typeField(state, theme, value, f, width);
+    state.last = self, state.lastWindow = window;
     ImGui::PopID();
     return edit;
   }
+  if (!f.locked) state.last = self, state.lastWindow = window;
   const ImVec2 lo = ImGui::GetCursorScreenPos(), hi = {lo.x + width, lo.y + ImGui::GetFrameHeight()};
   ImGui::InvisibleButton("field", {std::max(width, 8.0f), hi.y - lo.y});
   const bool hovered = ImGui::IsItemHovered() && !f.locked, active = ImGui::IsItemActive() && !f.locked;

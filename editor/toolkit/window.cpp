@@ -8,8 +8,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <thread>
 
 #include "renderer/base/log.h"
 
@@ -51,6 +53,11 @@ int layoutKey(int key, int scancode) {
 bool printable(int key) { return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT; }
 
 }  // namespace
+
+KeyPress keyPressOf(const InputEvent& e) {
+  return {e.code, (e.mods & GLFW_MOD_CONTROL) != 0, (e.mods & GLFW_MOD_SHIFT) != 0,
+          (e.mods & GLFW_MOD_ALT) != 0, e.repeat};
+}
 
 Result<std::unique_ptr<Window>> Window::create(const std::string& title, ivec2 size) {
   glfwSetErrorCallback(onError);
@@ -184,6 +191,7 @@ bool Window::feed(const InputEvent& e) {
   // A click or wheel notch takes effect where the pointer was: whatever follows waits.
   if (clicked_ || marked_) return false;
   if (wheeled_ && e.kind != Kind::Wheel) return false;
+  if (holds && holds(e, moved_)) return false;
   switch (e.kind) {
     case Kind::Move:
       if (!keys_.empty()) return false;
@@ -209,9 +217,7 @@ bool Window::feed(const InputEvent& e) {
         // Which panel a key belongs to is known one frame after the pointer has come to it.
         if (moved_ && !modifier) return false;
         if (!typing && !modifier && !keys_.empty()) return false;
-        if (!modifier)
-          keys_.push_back({e.code, (e.mods & GLFW_MOD_CONTROL) != 0, (e.mods & GLFW_MOD_SHIFT) != 0,
-                           (e.mods & GLFW_MOD_ALT) != 0, e.repeat});
+        if (!modifier) keys_.push_back(keyPressOf(e));
         keysDownNow_.push_back(e.code);
       } else if (modifier && !keys_.empty()) {
         return false;  // it holds for the key that went down in this frame
@@ -283,8 +289,21 @@ void Window::endFrame(unsigned clearColor) {
   glClearColor(c.x, c.y, c.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (takesMarks_) {
+    while (glFaults_ < 1000 && glGetError() != GL_NO_ERROR) ++glFaults_;
+    slowDown();
+  }
   glfwSwapBuffers(window_);
   ++frames_;
+}
+
+/// $PILEUS_UI_FRAME_MS: a test of what slow frames do.
+void Window::slowDown() const {
+  static const int ms = [] {
+    const char* text = std::getenv("PILEUS_UI_FRAME_MS");
+    return text ? std::clamp(std::atoi(text), 0, 2000) : 0;
+  }();
+  if (ms > 0) std::this_thread::sleep_for(std::chrono::milliseconds(ms));
 }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) != 0; }

@@ -4,6 +4,7 @@
 // slow. UI thread only (but wake()).
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +32,9 @@ struct InputEvent {
   int mods = 0;
 };
 
+/// The press that a Key event is, by its modifiers.
+KeyPress keyPressOf(const InputEvent& event);
+
 class Window {
  public:
   /// Error (Gpu) when no OpenGL 4.5 core window can be made; says what failed. Makes the context current and
@@ -56,6 +60,12 @@ class Window {
   /// With $PILEUS_UI_TRACE, F13 to F24 reach nobody: each ends the events of a frame and is counted, so that
   /// a test knows when what it sent before has been handled and drawn.
   unsigned long long marks() const { return marks_; }
+  /// Errors that OpenGL has kept at the ends of frames; with $PILEUS_UI_TRACE only.
+  int glFaults() const { return glFaults_; }
+
+  /// Asked of each event before it is handed on: true keeps it, and what follows, for another frame.
+  /// `moved`: the pointer has moved in this frame.
+  std::function<bool(const InputEvent& event, bool moved)> holds;
 
   void beginFrame();                   ///< feeds events, starts the ImGui frame
   void finishUi();                     ///< the frame's draw data are made
@@ -73,6 +83,7 @@ class Window {
   Window() = default;
   void installCallbacks();
   bool feed(const InputEvent& event);  ///< false: belongs to the next frame
+  void slowDown() const;
   GLFWwindow* window_ = nullptr;
   float scale_ = 1;
   bool uiStarted_ = false, hadInput_ = false, clicked_ = false, wheeled_ = false, moved_ = false;
@@ -88,6 +99,7 @@ class Window {
   std::vector<std::filesystem::path> dropped_;
   std::string title_;
   unsigned long long marks_ = 0;
+  int glFaults_ = 0;
 };
 
 }  // namespace pileus::editor

@@ -1,8 +1,12 @@
 #include "nodes/graph/graph_animation.h"
 
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "nodes/graph/graph_change.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::nodes {
 namespace {
@@ -48,10 +52,35 @@ Result<void> checkFrame(double frame) {
   return fail(Code::Arguments, "{} is no frame", formatNumber(frame));
 }
 
+/// "Group/Sun" is Sun in Group; no node's name has a slash in it.
+struct Inside {
+  std::string group, node;
+  const Graph* graph = nullptr;
+};
+std::optional<Inside> inside(const Graph& graph, const std::string& path) {
+  const std::size_t slash = path.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const std::string group = path.substr(0, slash);
+  const Graph* inner = groupGraph(graph, group);
+  if (!inner) return std::nullopt;
+  return Inside{group, path.substr(slash + 1), inner};
+}
+
+Graph withInner(const Graph& graph, const Inside& in, Graph inner) {
+  Graph result = graph;
+  changeNode(result, in.group,
+             [&](Node& node) { node.group = std::make_shared<const Graph>(std::move(inner)); });
+  return result;
+}
+
 }  // namespace
 
 Result<Graph> setKey(const Graph& graph, const std::string& name, const std::string& param, double frame,
                      const ParamValue& value, Interpolation interpolation) {
+  if (const auto in = inside(graph, name)) {
+    PILEUS_TRY(Graph inner, setKey(*in->graph, in->node, param, frame, value, interpolation));
+    return withInner(graph, *in, std::move(inner));
+  }
   PILEUS_CHECK(checkFrame(frame));
   // The same checks and words as for a constant.
   PILEUS_TRY(const Graph constant, setParam(graph, name, param, value));
@@ -69,6 +98,8 @@ Result<Graph> setKey(const Graph& graph, const std::string& name, const std::str
 }
 
 Graph removeKey(const Graph& graph, const std::string& name, const std::string& param, double frame) {
+  if (const auto in = inside(graph, name))
+    return withInner(graph, *in, removeKey(*in->graph, in->node, param, frame));
   Graph result = graph;
   changeNode(result, name, [&](Node& node) {
     const auto it = node.animated.find(param);
@@ -85,6 +116,7 @@ Graph removeKey(const Graph& graph, const std::string& name, const std::string& 
 }
 
 const AnimationKey* findKey(const Graph& graph, const KeyAt& at) {
+  if (const auto in = inside(graph, at.node)) return findKey(*in->graph, {in->node, at.param, at.frame});
   const Node* node = findNode(graph, at.node);
   const auto it = node ? node->animated.find(at.param) : decltype(node->animated.find(at.param)){};
   if (!node || it == node->animated.end()) return nullptr;
@@ -96,9 +128,17 @@ const AnimationKey* findKey(const Graph& graph, const KeyAt& at) {
 Result<Graph> moveKeys(const Graph& graph, const std::vector<KeyMove>& moves) {
   Graph result = graph;
   std::map<std::pair<std::string, std::string>, std::vector<const KeyMove*>> byParam;
+  std::map<std::string, std::vector<KeyMove>> byGroup;
   for (const KeyMove& move : moves) {
     PILEUS_CHECK(checkFrame(move.to));
-    byParam[{move.node, move.param}].push_back(&move);
+    if (const auto in = inside(graph, move.node))
+      byGroup[in->group].push_back({in->node, move.param, move.from, move.to});
+    else
+      byParam[{move.node, move.param}].push_back(&move);
+  }
+  for (const auto& [group, list] : byGroup) {
+    PILEUS_TRY(Graph inner, moveKeys(*groupGraph(graph, group), list));
+    result = withInner(result, {group, {}, nullptr}, std::move(inner));
   }
   for (const auto& [where, list] : byParam)
     changeNode(result, where.first, [&](Node& node) {
@@ -120,6 +160,8 @@ Result<Graph> moveKeys(const Graph& graph, const std::vector<KeyMove>& moves) {
 
 Graph setInterpolation(const Graph& graph, const std::string& name, const std::string& param, double frame,
                        Interpolation interpolation) {
+  if (const auto in = inside(graph, name))
+    return withInner(graph, *in, setInterpolation(*in->graph, in->node, param, frame, interpolation));
   Graph result = graph;
   changeNode(result, name, [&](Node& node) {
     const auto it = node.animated.find(param);
@@ -131,6 +173,8 @@ Graph setInterpolation(const Graph& graph, const std::string& name, const std::s
 }
 
 Graph clearAnimation(const Graph& graph, const std::string& name, const std::string& param, double frame) {
+  if (const auto in = inside(graph, name))
+    return withInner(graph, *in, clearAnimation(*in->graph, in->node, param, frame));
   Graph result = graph;
   changeNode(result, name, [&](Node& node) {
     if (const auto it = node.animated.find(param); it != node.animated.end())
@@ -141,6 +185,10 @@ Graph clearAnimation(const Graph& graph, const std::string& name, const std::str
 
 Result<Graph> setParamAt(const Graph& graph, const std::string& name, const std::string& param,
                          const ParamValue& value, double frame) {
+  if (const auto in = inside(graph, name)) {
+    PILEUS_TRY(Graph inner, setParamAt(*in->graph, in->node, param, value, frame));
+    return withInner(graph, *in, std::move(inner));
+  }
   const Node* node = findNode(graph, name);
   const auto animated = node ? node->animated.find(param) : decltype(node->animated.find(param)){};
   if (!node || animated == node->animated.end()) return setParam(graph, name, param, value);

@@ -1,5 +1,6 @@
 #pragma once
-// Edits of keyframes. Values are checked as setParam checks them; errors name node and parameter.
+// Edits of keyframes. Values are checked as setParam checks them; errors name node and parameter. A node may
+// be one in a group, by its path: "Group/Sun".
 #include <compare>
 #include <string>
 #include <vector>

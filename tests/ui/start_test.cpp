@@ -147,6 +147,7 @@ TEST(Start, AVolumeBecomesACloudInOneStep) {
   const json t = ui.trace();
   EXPECT_EQ(t["error"], "");
   EXPECT_EQ(t["undo"], "Import smoke1.vdb");
+  EXPECT_EQ(t["selection"], json{"smoke1"}) << "the volume, whose notes say what was guessed";
   EXPECT_NE(t["document"]["nodes"]["smoke1 Medium"]["params"]["extinction"], nullptr);
   ui.move(ui.emptySpot());
   ui.key("ctrl+z");

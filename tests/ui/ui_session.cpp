@@ -146,6 +146,8 @@ UiSession::~UiSession() {
     ::kill(-app_, SIGKILL);
     ::waitpid(app_, nullptr, 0);
   }
+  if (const auto faults = newest()->value("glFaults", 0); faults > 0)
+    ADD_FAILURE() << "OpenGL has found " << faults << " errors";
   checkLog(log(), expected_);
 }
 
@@ -326,6 +328,11 @@ void UiSession::drag(Point from, Point to, const std::vector<std::string>& held,
 
 void UiSession::focus() const {
   server_->focus(server_->windowOf(app_));
+  acknowledge(kFrames);
+}
+
+void UiSession::close() const {
+  server_->close(server_->windowOf(app_));
   acknowledge(kFrames);
 }
 

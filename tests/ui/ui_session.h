@@ -45,8 +45,8 @@ class UiSession {
             const std::filesystem::path& home = {}, const std::vector<std::string>& environment = {});
   /// A second window on another session's screen, `below` pixels down.
   UiSession(const UiSession& other, int below, ivec2 size, const std::vector<std::string>& arguments);
-  /// Fails the test where the window's log holds a warning or an error that was not expected, and where the
-  /// program has ended by itself.
+  /// Fails the test where the log of the window and its children holds a warning or an error that was not
+  /// expected, where OpenGL has found an error, and where the program has ended by itself.
   ~UiSession();
   UiSession(const UiSession&) = delete;
 
@@ -91,6 +91,8 @@ class UiSession {
             const std::function<void()>& during = {}) const;
   /// Keys go to this window: without a window manager the one opened last keeps them.
   void focus() const;
+  /// Asks the window to close, as the button in its title bar does.
+  void close() const;
   void key(const std::string& name) const;
   /// Into the field that takes text; waits for one.
   void type(const std::string& text) const;

@@ -199,6 +199,18 @@ void XServer::place(unsigned long window, int x, int y) {
   XSync(display_, False);
 }
 
+void XServer::close(unsigned long window) {
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = window;
+  event.xclient.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+  event.xclient.data.l[1] = CurrentTime;
+  XSendEvent(display_, window, False, NoEventMask, &event);
+  XSync(display_, False);
+}
+
 std::vector<float> XServer::pixels(ivec2& size) const {
   const Result<std::string> dump = readFile(folder_ / "Xvfb_screen0");
   if (!dump || dump->size() < 100) return {};

@@ -39,6 +39,7 @@ class XServer {
   unsigned long windowOf(pid_t process);  ///< 0 = none is shown
   void focus(unsigned long window);
   void place(unsigned long window, int x, int y);
+  void close(unsigned long window);  ///< as the button in a title bar does
 
   /// RGBA, from the frame buffer's file (an X window dump); empty where that cannot be read.
   std::vector<float> pixels(ivec2& size) const;

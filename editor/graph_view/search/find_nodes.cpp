@@ -117,7 +117,7 @@ void drawField(Ui& ui, const Session& session, const Clock& clock, Canvas& canva
                              .out;
   const std::string_view counted(count, static_cast<std::size_t>(end - count));
   ImGui::SetNextItemWidth(-theme.px(70));
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing()) ui.fields.focusHere();
   const std::string before = find.query;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
   ImGui::InputTextWithHint("##query", "Name, type, parameter or value", &find.query,

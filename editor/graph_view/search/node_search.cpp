@@ -10,9 +10,12 @@
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_menus.h"
 #include "editor/graph_view/canvas_view.h"
+#include "editor/graph_view/graph_room.h"
 #include "editor/graph_view/layout/layout.h"
 #include "editor/graph_view/search/fuzzy.h"
 #include "editor/graph_view/search/search_chips.h"
+#include "editor/picture/node_placement.h"
+#include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
@@ -27,8 +30,10 @@ namespace {
 constexpr char kPopup[] = "##node search";
 constexpr float kWidth = 380, kRows = 9;
 
-void addChosen(Ui& ui, Session& session, Settings& settings, Canvas& canvas, const SearchItem& item) {
-  NodeSearch& search = canvas.search;
+void addChosen(const GraphRoom& room, const SearchItem& item) {
+  Ui& ui = room.ui;
+  Session& session = room.session;
+  NodeSearch& search = room.canvas.search;
   const nodes::Graph& graph = session.document.graph();
   const std::string name = nodes::freeName(graph, item.type->label);
   Result<nodes::Graph> added = nodes::addNode(graph, item.type->id, dvec2(search.place), name);
@@ -52,24 +57,30 @@ void addChosen(Ui& ui, Session& session, Settings& settings, Canvas& canvas, con
       label = "Insert " + name;
     }
   }
+  FittedNode fitted;
+  if (added) {
+    fitted = fittedToScene(*added, name, room.shown.scene.bounds);
+    added = std::move(fitted.graph);
+  }
   if (!tryEdit(session, ui.messages, std::move(added), label)) return;
+  if (!fitted.note.empty()) ui.messages.note(fitted.note);
   session.document.select({name});
-  remember(settings.recentNodes, item.type->id);
+  remember(room.settings.recentNodes, item.type->id);
 }
 
-void drawRow(Ui& ui, Session& session, Settings& settings, Canvas& canvas, const SearchItem& item, int row,
-             bool chosen, float width) {
+void drawRow(const GraphRoom& room, const SearchItem& item, int row, bool chosen, float width) {
+  Ui& ui = room.ui;
   const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = theme.px(40);
   ImGui::PushID(row);
   if (ImGui::InvisibleButton("row", {width, height})) {
-    addChosen(ui, session, settings, canvas, item);
+    addChosen(room, item);
     ImGui::CloseCurrentPopup();
   }
   const bool hovered = ImGui::IsItemHovered();
   if (hovered && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0))
-    canvas.search.chosen = row;
+    room.canvas.search.chosen = row;
   ui.trace.item("search/" + std::to_string(row));
   ui.trace.note("search/" + std::to_string(row), item.label);
   ImGui::PopID();
@@ -78,13 +89,13 @@ void drawRow(Ui& ui, Session& session, Settings& settings, Canvas& canvas, const
   draw->AddRectFilled({at.x + theme.px(6), at.y + theme.px(8)},
                       {at.x + theme.px(9), at.y + height - theme.px(8)},
                       mixed(categoryColor(item.type->category), palette::kHighlight, 0.2f), theme.px(2));
-  const float x = at.x + theme.space(4), room = width - theme.space(6);
+  const float x = at.x + theme.space(4), space = width - theme.space(6);
   const float categoryWidth = textWidth(theme.small, item.type->category);
   drawText(draw, theme.body, {x, at.y + theme.px(3)}, palette::kTextStrong, item.label,
-           room - categoryWidth - theme.space(2));
+           space - categoryWidth - theme.space(2));
   drawText(draw, theme.small, {at.x + width - categoryWidth - theme.space(2), at.y + theme.px(4)},
            palette::kTextFaint, item.type->category, categoryWidth + 1);
-  drawText(draw, theme.small, {x, at.y + theme.px(21)}, palette::kTextDim, item.type->help, room);
+  drawText(draw, theme.small, {x, at.y + theme.px(21)}, palette::kTextDim, item.type->help, space);
 }
 
 void moveChosen(NodeSearch& search, int count) {
@@ -126,7 +137,7 @@ void drawField(Ui& ui, Canvas& canvas) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
   const float more = search.link ? 0 : theme.px(32);  // room for the way to the other commands
   ImGui::SetNextItemWidth(more > 0 ? -more : -1);
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing()) ui.fields.focusHere();
   const std::string before = search.query;
   ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
   ImGui::InputTextWithHint("##query", search.link ? "Nodes that fit this link" : "Search nodes",
@@ -214,7 +225,10 @@ void openSearch(const Session& session, Canvas& canvas, vec2 screen, vec2 place,
   search.items = searchItems(filter);
 }
 
-void drawSearch(Ui& ui, Session& session, Settings& settings, Canvas& canvas) {
+void drawSearch(const GraphRoom& room) {
+  Ui& ui = room.ui;
+  Canvas& canvas = room.canvas;
+  const Settings& settings = room.settings;
   NodeSearch& search = canvas.search;
   const Theme& theme = ui.theme;
   if (search.opening) {
@@ -248,8 +262,7 @@ void drawSearch(Ui& ui, Session& session, Settings& settings, Canvas& canvas) {
         ImGui::SetScrollHereY(0.5f);
         search.scrollToChosen = false;
       }
-      drawRow(ui, session, settings, canvas,
-              search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(row)])], row,
+      drawRow(room, search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(row)])], row,
               row == search.chosen, width);
     }
     if (ranked.empty()) {
@@ -262,7 +275,7 @@ void drawSearch(Ui& ui, Session& session, Settings& settings, Canvas& canvas) {
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
     if (enter && !ranked.empty()) {
-      addChosen(ui, session, settings, canvas,
+      addChosen(room,
                 search.items[static_cast<std::size_t>(ranked[static_cast<std::size_t>(search.chosen)])]);
       ImGui::CloseCurrentPopup();
     }

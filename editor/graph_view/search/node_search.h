@@ -10,9 +10,8 @@
 namespace pileus::editor {
 
 struct Canvas;
+struct GraphRoom;
 struct Session;
-struct Settings;
-struct Ui;
 
 /// The end of a dragged link that a new node must fit.
 struct LinkFilter {
@@ -48,6 +47,6 @@ struct NodeSearch {
 void openSearch(const Session& session, Canvas& canvas, vec2 screen, vec2 place,
                 std::optional<LinkDrag> link = {});
 /// Once a frame, after the canvas.
-void drawSearch(Ui& ui, Session& session, Settings& settings, Canvas& canvas);
+void drawSearch(const GraphRoom& room);
 
 }  // namespace pileus::editor

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -9,7 +10,9 @@
 #include "editor/commands/menu.h"
 #include "editor/picture/camera_control.h"
 #include "editor/preferences/settings.h"
+#include "editor/preferences/settings_file.h"
 #include "editor/toolkit/number_field.h"
+#include "renderer/base/file.h"
 #include "tests/support/support.h"
 
 namespace pileus::editor {
@@ -76,6 +79,50 @@ TEST(Settings, RoundTripThroughTheFile) {
   ASSERT_TRUE(saveSettings(folder, s));
   EXPECT_EQ(loadSettings(folder), s);
   EXPECT_EQ(loadSettings(folder / "missing"), Settings{});
+}
+
+TEST(Settings, AreWrittenAMomentAfterAChange) {
+  const std::filesystem::path folder = test::scratchFolder();
+  Settings s;
+  SettingsFile file(folder, s, 0);
+  ASSERT_TRUE(file.watch(s));
+  EXPECT_FALSE(std::filesystem::exists(folder / kSettingsName)) << "nothing has changed";
+  EXPECT_LT(file.dueSeconds(), 0);
+  s.showHud = true;
+  ASSERT_TRUE(file.watch(s));
+  EXPECT_TRUE(loadSettings(folder).showHud);
+  SettingsFile patient(folder, s, 1000);
+  s.showHud = false;
+  ASSERT_TRUE(patient.watch(s));
+  EXPECT_GT(patient.dueSeconds(), 900);
+  EXPECT_TRUE(loadSettings(folder).showHud);
+}
+
+TEST(Settings, TwoWindowsKeepWhatEachHasChanged) {
+  const std::filesystem::path folder = test::scratchFolder();
+  std::ofstream(folder / kSettingsName) << R"({ "ofALaterVersion": [1, 2], "recentFiles": ["/a"] })";
+  Settings first = loadSettings(folder), second = first;
+  SettingsFile one(folder, first), two(folder, second);
+  first.showHud = true;
+  remember(first.recentFiles, "/one");
+  second.draftMs = 80;
+  remember(second.recentFiles, "/two");
+  ASSERT_TRUE(one.save(first));
+  ASSERT_TRUE(two.save(second));
+  const Settings both = loadSettings(folder);
+  EXPECT_TRUE(both.showHud);
+  EXPECT_EQ(both.draftMs, 80);
+  EXPECT_EQ(both.recentFiles, (std::vector<std::string>{"/two", "/a", "/one"}));
+  EXPECT_NE(readFile(folder / kSettingsName)->find("ofALaterVersion"), std::string::npos);
+}
+
+TEST(Settings, ADamagedFileIsSetAside) {
+  const std::filesystem::path folder = test::scratchFolder();
+  std::ofstream(folder / kSettingsName) << "{ \"showHud\": tru";
+  const test::ExpectLogged expected;
+  EXPECT_EQ(loadSettings(folder), Settings{});
+  EXPECT_EQ(*readFile((folder / kSettingsName).string() + ".bad"), "{ \"showHud\": tru");
+  EXPECT_FALSE(std::filesystem::exists(folder / kSettingsName));
 }
 
 TEST(Settings, DamageNeverGetsThrough) {

@@ -50,6 +50,22 @@ TEST(FileListing, SequencesSayTheirGapsAndKeepTheirPadding) {
       << "that is no frame number";
 }
 
+TEST(FileListing, DocumentsNeverFold) {
+  const std::vector<FileEntry> versions = {file("shot_v001.json"), file("shot_v002.json"),
+                                           file("shot_v003.JSON")};
+  EXPECT_EQ(labels(foldSequences(versions)), (Names{"shot_v001.json", "shot_v002.json", "shot_v003.JSON"}));
+}
+
+TEST(FileListing, TheNextVersionIsTheNextFreeNumber) {
+  const fs::path at = test::scratchFolder();
+  EXPECT_EQ(nextVersion(at / "shot_v001.json"), at / "shot_v002.json");
+  std::ofstream(at / "shot_v002.json") << "x";
+  EXPECT_EQ(nextVersion(at / "shot_v001.json"), at / "shot_v003.json");
+  EXPECT_EQ(nextVersion(at / "b9.json"), at / "b10.json");
+  EXPECT_EQ(nextVersion(at / "harbour.json"), at / "harbour_v002.json");
+  EXPECT_EQ(nextVersion(at / "2026.json"), at / "2027.json");
+}
+
 TEST(FileListing, PatternsNameTheirFiles) {
   EXPECT_TRUE(matchesPattern("smoke.####.vdb", "smoke.0042.vdb"));
   EXPECT_TRUE(matchesPattern("smoke.%04d.vdb", "smoke.0042.vdb"));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/picture/camera_control.h"
+#include "editor/picture/node_placement.h"
 #include "editor/preferences/navigation_preset.h"
 #include "editor/viewport/handles/gizmo.h"
 #include "nodes/graph/graph_animation.h"
@@ -299,6 +300,32 @@ TEST(Navigation, PresetsChooseTheMove) {
   EXPECT_EQ(move(P::Blender, {.button = 2, .ctrl = true}), CameraMove::Dolly);
   EXPECT_TRUE(navigationMove(P::Blender, {.button = 2, .shift = true}).usesShift);
   EXPECT_EQ(move(P::Maya, {.button = 2}), CameraMove::Pan);
+}
+
+TEST(NewNodes, FitTheScene) {
+  const Box3 large{{-200, 10, -250}, {200, 90, 250}};
+  const auto fitted = [](const char* type, const Box3& bounds) {
+    return fittedToScene(*nodes::addNode({}, type, {0, 0}, "New"), "New", bounds);
+  };
+  const auto placed = [&](const char* type) {
+    return *gizmoTarget(fitted(type, large).graph, "New", dvec3(0), 1);
+  };
+  EXPECT_EQ(placed("volume.box").scale, dvec3(200));
+  expectNear(placed("volume.box").position, {0, 50, 0}, 1e-6);
+  EXPECT_EQ(placed("volume.sphere").scale, dvec3(100));
+  const GizmoTarget plane = placed("solid.plane");
+  EXPECT_EQ(plane.scale.x, 2000);
+  EXPECT_EQ(plane.scale.z, 2000);
+  EXPECT_EQ(plane.position.y, 10) << "it lies under the volumes";
+  EXPECT_GT(placed("light.point").position.y, 90);
+  expectNear(placed("light.spot").aim, {0, 50, 0}, 1e-6);
+  EXPECT_NE(fitted("volume.box", large).note.find("200 m"), std::string::npos);
+  // Where the defaults fit, and for what stands nowhere, nothing is written.
+  const nodes::Graph plain = *nodes::addNode({}, "volume.box", {0, 0}, "New");
+  EXPECT_EQ(fitted("volume.box", {{-1, -1, -1}, {1, 1, 1}}).graph, plain);
+  EXPECT_EQ(fitted("volume.box", {}).graph, plain);
+  EXPECT_EQ(fitted("light.sun", large).note, "");
+  EXPECT_EQ(fitted("value.number", large).note, "");
 }
 
 }  // namespace

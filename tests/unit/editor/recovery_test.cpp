@@ -179,5 +179,27 @@ TEST(Files, AFailedWriteKeepsTheOldContent) {
   EXPECT_EQ(files, 2u) << "no temporary file is left";
 }
 
+/// What files.cpp does with work that was left behind, while another document is open.
+TEST(Recovery, OpenedWorkIsKeptUntilItIsSaved) {
+  const fs::path folder = test::scratchFolder() / "recovery", original = test::scratchFolder() / "work.json";
+  ASSERT_TRUE(nodes::saveGraph(original, graphWith(1), {}));
+  killedEditor(folder, original, 2);
+  const std::vector<Lost> lost = findLost(folder);
+  ASSERT_EQ(lost.size(), 1u);
+  {
+    Recovery recovery(folder, 1000);
+    recovery.watch(graphWith(5), 1, test::scratchFolder() / "other.json", false, true);
+    ASSERT_TRUE(recovery.saveNow(graphWith(2), original));
+    removeLost(lost.front());
+    recovery.watch(graphWith(2), 2, original, true, true);
+    EXPECT_EQ(recoveryFiles(folder), 1u) << "the only copy of the work is gone";
+  }
+  // That editor is killed as well: the work is still offered.
+  const std::vector<Lost> again = findLost(folder);
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(again.front().original, original);
+  EXPECT_EQ(nodes::loadGraph(again.front().file)->graph, graphWith(2));
+}
+
 }  // namespace
 }  // namespace pileus::editor

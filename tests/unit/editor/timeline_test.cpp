@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "nodes/graph/graph_edits.h"
+#include "nodes/graph/graph_groups.h"
+
 namespace pileus::editor {
 namespace {
 
@@ -79,6 +82,31 @@ TEST(Timeline, RowsBearNamesForTheUserAndAreKept) {
   EXPECT_EQ(shownRows(cache, document)[0].keys.size(), 2u);
   document.undo();
   EXPECT_EQ(shownRows(cache, document)[0].keys.size(), 1u);
+}
+
+TEST(Timeline, ReachesIntoGroupsByPath) {
+  nodes::Graph graph = *nodes::addNode({}, "light.sun", {0, 0}, "Sun");
+  graph = *nodes::setKey(graph, "Sun", "elevation", 1, 20.0);
+  graph = *nodes::setKey(graph, "Sun", "elevation", 24, 70.0);
+  std::string group;
+  graph = *nodes::groupNodes(graph, {"Sun"}, &group);
+  const auto rows = keyRows(graph, {});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].node, group + "/Sun");
+  EXPECT_EQ(rows[0].keys.size(), 2u);
+  EXPECT_EQ(keyRows(graph, {group}).size(), 1u) << "also where the group is selected";
+  const KeySelection picked = keysAt(rows, 0, 24, 0.5);
+  graph = *nodes::moveKeys(graph, movesBy(picked, 6));
+  EXPECT_EQ(keyRows(graph, {})[0].keys.back().frame, 30);
+  ASSERT_TRUE(nodes::findKey(graph, {group + "/Sun", "elevation", 30}));
+  graph = nodes::setInterpolation(graph, group + "/Sun", "elevation", 30, nodes::Interpolation::Constant);
+  EXPECT_EQ(nodes::findKey(graph, {group + "/Sun", "elevation", 30})->interpolation,
+            nodes::Interpolation::Constant);
+  graph = *nodes::setParamAt(graph, group + "/Sun", "elevation", 45.0, 12);
+  EXPECT_EQ(keyRows(graph, {})[0].keys.size(), 3u);
+  graph = nodes::removeKey(graph, group + "/Sun", "elevation", 1);
+  EXPECT_EQ(keyRows(graph, {})[0].keys.size(), 2u);
+  EXPECT_FALSE(nodes::setParamAt(graph, group + "/Moon", "elevation", 45.0, 12));
 }
 
 TEST(PlayClock, FramesFollowTheTimeAndAreDropped) {

@@ -306,5 +306,23 @@ TEST(CrashLogDeathTest, WritesAReport) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
+TEST(Drops, ASequenceBeginsWithItsFirstFrameThatHoldsSomething) {
+  PILEUS_NEEDS_DATA();
+  const std::filesystem::path folder = test::scratchFolder();
+  for (const char* empty : {"s.0001.vdb", "s.0002.vdb"}) std::ofstream(folder / empty) << "nothing";
+  for (const char* full : {"s.0010.vdb", "s.0011.vdb", "t.0003.vdb"})
+    std::filesystem::copy_file(*test::dataFolder() / "vdb" / "smoke1.vdb", folder / full);
+  JobControl control;
+  const DropContent read = readDrops({folder / "s.0001.vdb"}, control);
+  ASSERT_EQ(read.volumes.size(), 1u);
+  EXPECT_EQ(read.volumes.front().file.filename(), "s.0010.vdb");
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_NE(read.notes.front().find("s.0010.vdb"), std::string::npos);
+  EXPECT_TRUE(read.refusals.empty());
+  // What has nothing beside it is refused as before.
+  std::ofstream(folder / "alone.vdb") << "nothing";
+  EXPECT_EQ(readDrops({folder / "alone.vdb"}, control).refusals.size(), 1u);
+}
+
 }  // namespace
 }  // namespace pileus::editor

@@ -32,7 +32,7 @@ const bool kOverflow = OVERFLOW != 0;
 const float kNoEdge = 1e30;
 const float kCoarseSteps = 32.0;
 // Of so many voxels: over more, what is lost at its ends does not count.
-const float kShort = 8.0;
+const float kShort = 20.0;
 // A volume is inside a stretch that misses so much of its chord: roundings differ between the places at which
 // a compiler repeats them.
 const float kSameEdge = 1e-5;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kDistance = 1000;  // metres
 constexpr double kFov = 0.5;        // degrees
+constexpr double kAllowed = 2e-3;   // of alpha
 
 /// Optical depth 1 through the middle of a sheet as wide as a tenth of its distance.
 volume::Instance sheet(double thickness, bool grid, double offset = 0, double depth = 1) {
@@ -48,8 +49,6 @@ void comparePixels(test::Rows& rows, const std::string& what, const volume::Inst
   if (worst == 0) have = want = 1;
   rows.check(what, have, want, 0, kAllowed);
 }
-
-constexpr double kAllowed = 2e-3;  // of alpha
 
 /// Views a sheet from several sides, never along it.
 void compareViews(test::Rows& rows, const std::string& what, const volume::InstanceList& volumes,

@@ -1,8 +1,6 @@
 #pragma once
 // Reading the voxels of an OpenVDB tree: what their values mean, which of them count, and in blocks for the
-// brick builder. Templates of vdb_file.cpp.
-#include <openvdb/openvdb.h>
-
+// brick builder. Templates of vdb_file.cpp, which includes OpenVDB before it: no header of ours does.
 #include <algorithm>
 #include <cmath>
 #include <limits>

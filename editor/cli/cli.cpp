@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <vector>
 
 #include "editor/cli/bench.h"
 #include "editor/cli/check.h"
@@ -50,6 +53,42 @@ int usageError(const std::string& message) {
   return kBadArguments;
 }
 
+/// Letters to be added, left out, changed or swapped with their neighbour until one word is the other.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+/// What is wrong with a first word that is neither a command nor a file; empty: nothing.
+std::string misspelt(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2) return {};
+  const std::string word = argv[1];
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  std::error_code ec;
+  if (word.empty() || word[0] == '-' || word.find_first_of("./") != word.npos ||
+      std::filesystem::exists(word, ec))
+    return {};
+  std::string nearest;
+  std::size_t least = 3;  // more letters than that are another word
+  for (const CLI::App* command : commands) {
+    const std::size_t n = distance(word, command->get_name());
+    if (n == 0) return {};
+    if (n < least && n < word.size()) least = n, nearest = command->get_name();
+  }
+  if (nearest.empty()) return "there is no command '" + word + "' and no such file; see pileus --help";
+  return "there is no command '" + word + "'; did you mean " + nearest + "?";
+}
+
 }  // namespace
 
 int run(int argc, char** argv, const EditorSide& editor) {
@@ -68,7 +107,9 @@ int run(int argc, char** argv, const EditorSide& editor) {
   CLI::App* renderCommand =
       app.add_subcommand("render", "Render a graph to OpenEXR files, without a window.");
   renderCommand->add_option("file", render.file, "Graph file (.json).")->required();
-  renderCommand->add_option("-o,--out", render.out, "Target; '#', '####', '%04d' or '$F' is the frame.");
+  renderCommand->add_option("-o,--out", render.out,
+                            "Target: .exr, or .png for the view's picture alone; '#', '####', '%04d' or "
+                            "'$F' is the frame. '-' is the EXR on standard output.");
   renderCommand->add_option("--size", size, "Picture size, WIDTHxHEIGHT; the file's by default.");
   renderCommand->add_option("--frames", frames, "Frames A, A-B or A-BxSTEP; the file's by default.");
   renderCommand
@@ -88,8 +129,8 @@ int run(int argc, char** argv, const EditorSide& editor) {
   checkCommand->add_option("files", checkFiles, "Graph files.")->required();
 
   InfoOptions info;
-  CLI::App* infoCommand = app.add_subcommand("info", "List the grids of a volume file.");
-  infoCommand->add_option("volume", info.file, "A .vdb file.")->required();
+  CLI::App* infoCommand = app.add_subcommand("info", "List the grids of volume files.");
+  infoCommand->add_option("volumes", info.files, "One or more .vdb files.")->required();
   infoCommand->add_flag("--json", info.json, "Machine-readable.");
 
   bool markdown = false, json = false;
@@ -106,9 +147,10 @@ int run(int argc, char** argv, const EditorSide& editor) {
   CLI::App* compareCommand = app.add_subcommand("compare", "Measure the difference of two EXR files.");
   compareCommand->add_option("a", compare.a, "Picture.")->required();
   compareCommand->add_option("b", compare.b, "Reference.")->required();
-  CLI::Option* bound =
-      compareCommand->add_option("--max-relmse", maxRelMse, "Exit with 6 where relMSE is larger.")
-          ->check(CLI::NonNegativeNumber);
+  CLI::Option* bound = compareCommand
+                           ->add_option("--max-relmse", maxRelMse,
+                                        "Exit with 6 where relMSE is larger, or a pixel is not finite.")
+                           ->check(CLI::NonNegativeNumber);
 
   ShootoutArguments shootout;
   std::string shootoutSize;
@@ -175,6 +217,7 @@ int run(int argc, char** argv, const EditorSide& editor) {
   app.require_subcommand(0, 1);
   app.add_option("graph", editorFile, "Graph file to open in the editor.");
 
+  if (const std::string wrong = misspelt(app, argc, argv); !wrong.empty()) return usageError(wrong);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -182,6 +225,9 @@ int run(int argc, char** argv, const EditorSide& editor) {
     return usageError(std::string(e.what()) + "; see pileus --help");
   }
   if (verbose) log::setPrintLevel(log::Level::Info);
+  if (const auto used = app.get_subcommands(); !used.empty() && !editorFile.empty())
+    return usageError(used.front()->get_name() + ": '" + editorFile + "' is one file too many; see pileus " +
+                      used.front()->get_name() + " --help");
 
   if (*renderCommand) {
     if (renderCommand->count("--size"))

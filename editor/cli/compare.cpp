@@ -19,6 +19,10 @@ Result<int> run(const CompareOptions& options) {
   fmt::print("{} against {} ({} x {})\n", options.a, options.b, b.size.x, b.size.y);
   fmt::print("RMSE   {:.6g}\nrelMSE {:.6g}\nmax    {:.6g}\n", difference->rmse, difference->relMse,
              difference->maximum);
+  const std::string notFinite = difference->notFinite == 1
+                                    ? "1 pixel is not finite"
+                                    : fmt::format("{} pixels are not finite", difference->notFinite);
+  if (difference->notFinite > 0) fmt::print("{}\n", notFinite);
   std::size_t widest = 7;
   for (const auto& channel : difference->channels) widest = std::max(widest, channel.channel.size());
   fmt::print("{:<{}}  {:>12}  {:>12}  {:>12}\n", "channel", widest, "RMSE", "mean", "max");
@@ -27,6 +31,8 @@ Result<int> run(const CompareOptions& options) {
                channel.mean, channel.maximum);
   std::fflush(stdout);
 
+  if (options.maxRelMse && difference->notFinite > 0)
+    return fail(Code::Bound, "{}: no bound holds", notFinite);
   // Written so that a bound is exceeded by everything that is not below it.
   if (options.maxRelMse && !(difference->relMse <= *options.maxRelMse))
     return fail(Code::Bound, "relMSE {:.6g} exceeds the bound {:.6g}", difference->relMse,

@@ -1,10 +1,13 @@
 #include "editor/cli/info.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "renderer/volume/autofit.h"
 #include "renderer/volume/vdb_import.h"
@@ -21,18 +24,9 @@ struct Fit {
   std::uint64_t bricks = 0, bytes = 0;
 };
 
-std::string jsonString(std::string_view text) {
-  std::string out(1, '"');
-  for (char c : text) {
-    if (c == '"' || c == '\\')
-      out += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 32)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  out += '"';
-  return out;
+/// Bytes that are no UTF-8 (a path may hold them) become U+FFFD.
+std::string jsonString(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string number(double v) { return std::isfinite(v) ? fmt::format("{}", v) : "null"; }
@@ -89,7 +83,7 @@ void printText(const std::filesystem::path& file, const VdbInfo& info, const Fit
     fmt::print("\nautofit: nothing in this file can be drawn\n");
 }
 
-void printJson(const std::filesystem::path& file, const VdbInfo& info, const Fit* fit) {
+std::string jsonOf(const std::filesystem::path& file, const VdbInfo& info, const Fit* fit) {
   std::string out = fmt::format("{{\n  \"file\": {},\n  \"version\": {},\n  \"metadata\": {{",
                                 jsonString(file.string()), jsonString(info.version));
   for (std::size_t i = 0; i < info.metadata.size(); ++i)
@@ -121,12 +115,12 @@ void printJson(const std::filesystem::path& file, const VdbInfo& info, const Fit
   if (fit)
     out += fmt::format(
         "  \"autofit\": {{\"grid\": {}, \"extinction\": {}, \"opticalDepth\": {}, \"bricks\": {}, "
-        "\"brickBytes\": {}}}\n}}\n",
+        "\"brickBytes\": {}}}\n}}",
         jsonString(fit->grid), number(fit->fit.extinction), number(fit->fit.opticalDepth), fit->bricks,
         fit->bytes);
   else
-    out += "  \"autofit\": null\n}\n";
-  std::fwrite(out.data(), 1, out.size(), stdout);
+    out += "  \"autofit\": null\n}";
+  return out;
 }
 
 int complain(const Error& e) {
@@ -136,28 +130,51 @@ int complain(const Error& e) {
 
 }  // namespace
 
-int infoMain(const InfoOptions& options) {
+namespace {
+
+/// Its JSON goes to `json`, its text to standard output. Returns the exit code.
+int listFile(const std::filesystem::path& file, std::string* json) {
   JobControl control;
-  auto info = volume::inspectVdb(options.file, control);
+  auto info = volume::inspectVdb(file, control);
   if (!info) return complain(info.error());
   std::optional<Fit> fit;
   const GridInfo* chosen = info->chosen >= 0 ? &info->grids[static_cast<std::size_t>(info->chosen)] : nullptr;
   if (chosen && chosen->drawable) {
-    auto imported = volume::importVdb(options.file, chosen->name, control);
+    auto imported = volume::importVdb(file, chosen->name, control);
     if (!imported) return complain(imported.error());
     const volume::BrickGrid& g = *imported->grid;
     fit = Fit{chosen->name, volume::autofit(g), g.payloadCount,
               std::uint64_t(g.payloadCount) * volume::kStoredVoxels};
   }
-  if (options.json)
-    printJson(options.file, *info, fit ? &*fit : nullptr);
+  if (json)
+    *json = jsonOf(file, *info, fit ? &*fit : nullptr);
   else
-    printText(options.file, *info, fit ? &*fit : nullptr);
+    printText(file, *info, fit ? &*fit : nullptr);
   std::fflush(stdout);
   for (const GridInfo& g : info->grids)
-    if (g.damaged)
-      return complain(fail(Code::Input, "{}: grid '{}': {}", options.file.string(), g.name, g.reason));
+    if (g.damaged) return complain(fail(Code::Input, "{}: grid '{}': {}", file.string(), g.name, g.reason));
   return 0;
+}
+
+}  // namespace
+
+int infoMain(const InfoOptions& options) {
+  int status = 0;
+  std::vector<std::string> objects;
+  bool first = true;
+  for (const std::filesystem::path& file : options.files) {
+    if (!options.json && !std::exchange(first, false)) fmt::print("\n");
+    std::string json;
+    const int code = listFile(file, options.json ? &json : nullptr);
+    if (status == 0) status = code;
+    if (!json.empty()) objects.push_back(std::move(json));
+  }
+  if (options.json && options.files.size() == 1 && !objects.empty())
+    fmt::print("{}\n", objects.front());
+  else if (options.json && options.files.size() > 1)
+    fmt::print("[\n{}\n]\n", fmt::join(objects, ",\n"));
+  std::fflush(stdout);
+  return status;
 }
 
 }  // namespace pileus::cli

@@ -6,13 +6,13 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <thread>
 
 #include <fmt/ranges.h>
 
 #include "editor/cli/graph_file.h"
+#include "editor/cli/render_target.h"
 #include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/picture_layers.h"
@@ -54,6 +54,11 @@ Result<Graph> prepared(const RenderOptions& o) {
     const nodes::NodeType* type = nodes::findNodeType(found->type);
     const nodes::ParamSpec* spec = type ? type->param(param) : nullptr;
     if (!spec) return fail(Code::Arguments, "--set: {} ({}) has no parameter '{}'", node, found->type, param);
+    for (const nodes::Link& link : graph.links)
+      if (!link.muted && link.toNode == node && link.toSocket == param)
+        return fail(Code::Arguments,
+                    "--set: {}.{} is given by the link {}: set what it comes from, or mute it", node, param,
+                    nodes::linkText(link));
     auto value = nodes::parseParam(*spec, std::string_view(text).substr(equals + 1));
     if (!value) return fail(Code::Arguments, "--set: {}.{}: {}", node, param, value.error().message);
     auto edited = nodes::setParam(graph, node, param, *value);
@@ -171,18 +176,91 @@ nlohmann::json statistics(const nodes::Evaluator& evaluator, const Graph& graph,
   return out;
 }
 
-/// May the target be written? Asked before any work is done.
-Result<void> checkTarget(const fs::path& path) {
+/// Where a picture goes, frame by frame.
+struct Target {
+  FramePattern name;
+  TargetKind kind = TargetKind::Exr;
+  bool stream = false;  ///< no file: there is nothing to be kept, replaced or put beside it
+
+  std::string shown(int frame) const {
+    return kind == TargetKind::StandardOutput ? "standard output" : name.path(frame);
+  }
+};
+
+/// Of `-o`, or of the EXR output itself. Everything that stands in the way is found before any work is done.
+Result<Target> targetOf(const RenderOptions& o, const Graph& graph, const std::string& node,
+                        const fs::path& folder, const ivec3& frames, int count) {
+  std::string out = o.out.string();
+  const bool given = !out.empty();
+  if (!given && nodes::findNode(graph, node)->type == "output.exr") {
+    out = std::get<std::string>(
+        nodes::paramValue(*nodes::findNode(graph, node), *nodes::findNodeType("output.exr")->param("file")));
+    if (!out.empty() && fs::path(out).is_relative()) out = (folder / out).string();
+  }
+  if (out.empty()) return fail(Code::Arguments, "no target: give -o OUT.exr");
+  // What a graph file says wrongly is its fault, not that of the command line.
+  const auto blamed = [&](const Error& e) {
+    return given ? e : Error{Code::Input, fmt::format("{}.file: {}", node, e.message)};
+  };
+  Target target;
+  const auto kind = targetKind(out);
+  if (!kind) return blamed(kind.error());
+  const auto name = framePattern(out);
+  if (!name) return blamed(name.error());
+  target.kind = *kind;
+  target.name = *name;
+  target.stream = *kind == TargetKind::StandardOutput || isStream(out);
+  if (o.png && target.stream)
+    return fail(Code::Arguments, "--png: {} is no file that a PNG could lie beside", target.shown(0));
+  if (*kind == TargetKind::StandardOutput) {
+    if (count > 1)
+      return fail(Code::Arguments,
+                  "standard output takes one picture, but {} frames are asked for: give "
+                  "--frames FRAME",
+                  count);
+    return target;
+  }
+  PILEUS_CHECK(checkTarget(target.name.path(frames.x)));
+  if (count > 1 && !target.name.hasFrame() && !target.stream)
+    return fail(Code::Arguments, "{} frames need a frame token in the target: such as {}.####{}", count,
+                fs::path(out).replace_extension().string(), fs::path(out).extension().string());
   std::error_code ec;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ec))
-    return fail(Code::Input, "{}: cannot be written (folder {} does not exist)", path.string(),
-                folder.string());
-  if (fs::is_directory(path, ec))
-    return fail(Code::Input, "{}: cannot be written (is a folder)", path.string());
-  if (::access(folder.c_str(), W_OK) != 0)
-    return fail(Code::Input, "{}: cannot be written (folder {} is not writable)", path.string(),
-                folder.string());
+  if (count == 1 && !o.overwrite && !target.stream && fs::exists(target.name.path(frames.x), ec))
+    return fail(Code::Input, "{}: exists; add --overwrite to replace it", target.name.path(frames.x));
+  return target;
+}
+
+/// How many frames a range holds.
+Result<int> countOf(const ivec3& frames) {
+  constexpr std::int64_t kMost = 1000000;
+  const std::int64_t count = (std::int64_t(frames.y) - frames.x) / frames.z + 1;
+  if (count > kMost)
+    return fail(Code::Arguments, "{} frames, from {} to {}: at most {} are rendered in one run", count,
+                frames.x, frames.y, kMost);
+  return static_cast<int>(count);
+}
+
+/// Is the frame there, whole?
+bool isDone(const Target& target, const fs::path& path) {
+  std::error_code ec;
+  if (target.stream || !fs::exists(path, ec)) return false;
+  if (target.kind == TargetKind::Exr) return bool(image::readExr(path));
+  const auto bytes = readFile(path);
+  return bytes && image::decodePng(*bytes);
+}
+
+Result<void> writePicture(const Target& target, const fs::path& path, const image::Image& picture,
+                          const Graph& graph, const std::string& node, const fs::path& folder, bool preview) {
+  if (target.kind == TargetKind::Png) return writePreview(path, picture, graph, node, folder);
+  std::vector<std::string> warnings;
+  if (target.kind == TargetKind::StandardOutput) {
+    PILEUS_TRY(const std::string bytes, image::encodeExr(picture, exrOptions(graph, node), warnings));
+    PILEUS_CHECK(writeStandardOutput(bytes));
+  } else {
+    PILEUS_CHECK(image::writeExr(path, picture, exrOptions(graph, node), &warnings));
+  }
+  for (const std::string& warning : warnings) std::fprintf(stderr, "pileus: warning: %s\n", warning.c_str());
+  if (preview) return writePreview(fs::path(path).replace_extension(".png"), picture, graph, node, folder);
   return {};
 }
 
@@ -190,23 +268,9 @@ Result<void> renderAll(const RenderOptions& o) {
   PILEUS_TRY(const Graph graph, prepared(o));
   PILEUS_TRY(const std::string target, outputNode(graph, o));
   const fs::path folder = fs::absolute(o.file).parent_path();
-  std::string out = o.out.string();
-  if (out.empty() && nodes::findNode(graph, target)->type == "output.exr") {
-    out = std::get<std::string>(nodes::paramValue(*nodes::findNode(graph, target),
-                                                  *nodes::findNodeType("output.exr")->param("file")));
-    if (!out.empty() && fs::path(out).is_relative()) out = (folder / out).string();
-  }
-  if (out.empty()) return fail(Code::Arguments, "no target: give -o OUT.exr");
   const ivec3 frames = o.framesGiven ? o.frames : ivec3(graph.settings.frames, 1);
-  const int count = (frames.y - frames.x) / frames.z + 1;
-  bool hasToken = false;
-  PILEUS_CHECK(checkTarget(framePath(out, frames.x, &hasToken)));
-  if (count > 1 && !hasToken)
-    return fail(Code::Arguments, "{} frames need a frame token in the target: such as {}.####.exr", count,
-                fs::path(out).replace_extension().string());
-  std::error_code ec;
-  if (count == 1 && !o.overwrite && fs::exists(framePath(out, frames.x), ec))
-    return fail(Code::Input, "{}: exists; add --overwrite to replace it", framePath(out, frames.x));
+  PILEUS_TRY(const int count, countOf(frames));
+  PILEUS_TRY(const Target to, targetOf(o, graph, target, folder, frames, count));
 
   PILEUS_TRY(const auto context, gl::HeadlessContext::create());
   view::RendererOptions rendererOptions;
@@ -215,9 +279,10 @@ Result<void> renderAll(const RenderOptions& o) {
   nodes::Evaluator evaluator(renderer.get());
   nlohmann::json stats{{"device", renderer->device().renderer}, {"frames", nlohmann::json::array()}};
   std::set<std::string> printed;
-  for (int frame = frames.x, done = 0; frame <= frames.y; frame += frames.z, ++done) {
-    const fs::path path = framePath(out, frame);
-    if (!o.overwrite && count > 1 && fs::exists(path, ec) && image::readExr(path)) {
+  for (int done = 0; done < count; ++done) {
+    const int frame = frames.x + done * frames.z;
+    const fs::path path = to.shown(frame);
+    if (!o.overwrite && count > 1 && isDone(to, path)) {
       std::fprintf(stderr, "frame %d: %s is there already, skipped (--overwrite renders it again)\n", frame,
                    path.c_str());
       continue;
@@ -226,18 +291,18 @@ Result<void> renderAll(const RenderOptions& o) {
     settings.frame = frame;
     settings.size = graph.settings.size;
     settings.folder = folder;
-    settings.extra = nodes::wantedLayers(graph, target);
+    if (to.kind != TargetKind::Png) settings.extra = nodes::wantedLayers(graph, target);
     Progress progress(frame, done, count);
     const Stopwatch clock;
-    PILEUS_CHECK(evaluateFrame(evaluator, graph, target, settings, progress, printed));
+    if (const auto r = evaluateFrame(evaluator, graph, target, settings, progress, printed); !r)
+      return count == 1 ? r.error() : fail(r.error().code, "frame {}: {}", frame, r.error().message);
     const nodes::SocketValue* value = evaluator.input(target, "image");
     const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
     if (!image || !image->picture) return fail(Code::Input, "{}.image: no picture arrives", target);
     PILEUS_TRY(image::Image picture, view::readBack(*image->picture));
-    picture.metadata.merge(nodes::stillMetadata(graph, path, folder));
-    PILEUS_CHECK(image::writeExr(path, picture, exrOptions(graph, target)));
-    if (o.png)
-      PILEUS_CHECK(writePreview(fs::path(path).replace_extension(".png"), picture, graph, target, folder));
+    nodes::nameLightLayers(picture, evaluator, graph, target);
+    picture.metadata.merge(nodes::stillMetadata(graph, to.stream ? o.file : path, folder));
+    PILEUS_CHECK(writePicture(to, path, picture, graph, target, folder, o.png));
     progress.finish(path.string());
     stats["frames"].push_back(statistics(evaluator, graph, frame, clock.ms() * 1e-3));
   }
@@ -247,31 +312,11 @@ Result<void> renderAll(const RenderOptions& o) {
 
 }  // namespace
 
-std::string framePath(const std::string& out, int frame, bool* hasToken) {
-  static const std::regex token(R"(#+|%0?(\d*)d|\$F(\d*))");
-  // Only the file name: a folder called "shot#2" is not a token.
-  const std::size_t slash = out.rfind('/');
-  const std::string folder = slash == out.npos ? "" : out.substr(0, slash + 1),
-                    name = out.substr(folder.size());
-  std::smatch m;
-  const bool found = std::regex_search(name, m, token);
-  if (hasToken) *hasToken = found;
-  if (!found) return out;
-  const std::string text = m.str();
-  int width = 1;
-  if (text[0] == '#')
-    width = int(text.size());
-  else if (m[1].matched && m[1].length() > 0)
-    width = std::stoi(m[1]);
-  else if (m[2].matched && m[2].length() > 0)
-    width = std::stoi(m[2]);
-  return folder + m.prefix().str() + fmt::format("{:0{}d}", frame, std::min(width, 12)) + m.suffix().str();
-}
-
 int renderMain(const RenderOptions& options) {
   interrupted = 0;
   ::signal(SIGINT, onInterrupt);
   ::signal(SIGTERM, onInterrupt);
+  ::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error with a name
   const Result<void> r = renderAll(options);
   return r ? 0 : report(r.error());
 }

@@ -11,7 +11,7 @@ namespace pileus::cli {
 
 struct RenderOptions {
   std::filesystem::path file;
-  std::filesystem::path out;  ///< empty: the output.exr node's own file
+  std::filesystem::path out;  ///< "-": standard output; empty: the output.exr node's own file
   std::optional<ivec2> size;
   ivec3 frames{0, 0, 1};  ///< first, last, step; 0 0 1 = the file's range
   bool framesGiven = false;
@@ -23,9 +23,5 @@ struct RenderOptions {
 };
 
 int renderMain(const RenderOptions& options);
-
-/// OUT with its frame token ('####' run, '%04d', '$F', '$F4') replaced; `hasToken` tells whether there was
-/// one.
-std::string framePath(const std::string& out, int frame, bool* hasToken = nullptr);
 
 }  // namespace pileus::cli

@@ -13,7 +13,6 @@
 #include "editor/picture/shown_camera.h"
 #include "editor/toolkit/modals.h"
 #include "nodes/file/serialize.h"
-#include "renderer/base/file.h"
 
 namespace fs = std::filesystem;
 
@@ -77,14 +76,13 @@ void addVolumes(Editor& editor, const std::vector<volume::VdbFit>& fits) {
 }
 
 void merge(Editor& editor, const fs::path& path) {
-  const Result<std::string> text = readFile(path, std::size_t(64) << 20);
-  if (!text) return editor.messages.error(text.error().message);
   const nodes::Graph& graph = editor.session.document.graph();
   dvec2 at(0);
   for (const auto& [name, node] : graph.nodes) at = glm::max(at, node->at);
   std::set<std::string> pasted;
-  Result<nodes::Graph> merged = nodes::pasteText(graph, *text, at + dvec2(600, 300), &pasted);
-  if (!merged) return editor.messages.error(path.string() + ": cannot be merged: " + merged.error().message);
+  Result<nodes::Graph> merged = nodes::mergeGraph(graph, path, editor.session.document.path().parent_path(),
+                                                  at + dvec2(600, 300), &pasted);
+  if (!merged) return editor.messages.error("Not merged: " + merged.error().message);
   if (!tryEdit(editor.session, editor.messages, std::move(*merged), "Merge " + nameOf(path))) return;
   editor.session.document.select(std::move(pasted));
   editor.canvas.frameAll = true;

@@ -55,7 +55,8 @@ void followFolder(Editor& editor, const fs::path& path) {
 
 bool write(Editor& editor, const fs::path& path) {
   const fs::path folder = editor.session.document.path().parent_path();
-  if (Result<void> saved = nodes::saveGraph(path, editor.session.document.root(), folder); !saved) {
+  fs::path kept;
+  if (Result<void> saved = nodes::saveGraph(path, editor.session.document.root(), folder, &kept); !saved) {
     failed(editor, "The file was not saved", saved.error());
     editor.modals.errorText += "\n\nNothing is lost: the document is still open. Save it under another name.";
     return false;
@@ -68,7 +69,8 @@ bool write(Editor& editor, const fs::path& path) {
   editor.session.recovery.discard();
   editor.pictures.keep(editor.shown.displayed.texture, path);
   remember(editor.settings.recentFiles, path.string());
-  editor.messages.info("Saved " + path.string());
+  editor.messages.info("Saved " + path.string() +
+                       (kept.empty() ? "" : "; what could not be read of it is kept in " + kept.string()));
   return true;
 }
 

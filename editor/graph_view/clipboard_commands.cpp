@@ -30,7 +30,8 @@ dvec2 pastePlace(Canvas& canvas) {
 void copySelection(Ui& ui, const Session& session, Canvas& canvas) {
   const std::set<std::string>& names = session.document.selection();
   if (names.empty()) return ui.messages.hint("Select the nodes to copy.");
-  ImGui::SetClipboardText(nodes::copyText(session.document.graph(), names).c_str());
+  ImGui::SetClipboardText(
+      nodes::copyText(session.document.graph(), names, session.document.path().parent_path()).c_str());
   ui.messages.note(named("Copied", names));
   canvas.pastes = 0;
 }

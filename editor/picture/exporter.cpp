@@ -58,6 +58,7 @@ std::optional<Result<std::filesystem::path>> Exporter::step() {
     return finish(fail(Code::Input, "{}: no image is linked", request_->view));
   Result<image::Image> image = view::readBack(*picture->picture);
   if (!image) return finish(image.error());
+  nodes::nameLightLayers(*image, *evaluator_, request_->graph, request_->view);
   image->metadata.merge(nodes::stillMetadata(request_->graph, request_->target, request_->folder));
   evaluator_.reset();  // frees its GPU memory while the file is written
   writing_ = std::make_unique<Job<bool>>(

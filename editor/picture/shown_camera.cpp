@@ -14,6 +14,7 @@
 #include "editor/time/playback.h"
 #include "nodes/declare/value.h"
 #include "nodes/graph/graph_animation.h"
+#include "renderer/volume/autofit.h"
 
 namespace pileus::editor {
 namespace {
@@ -43,7 +44,7 @@ Box3 volumeBounds(const Session& session, const Shown& shown, const std::string&
     if (link.toNode != user || link.toSocket != volumes->id || link.muted) continue;
     const nodes::SocketValue* value = shown.preview.evaluator().output(link.fromNode, link.fromSocket);
     if (const auto* v = value ? std::get_if<nodes::VolumeValue>(value) : nullptr)
-      box.extend(volume::worldBounds(v->items));
+      box.extend(volume::worldBulkBounds(v->items));
   }
   return box;
 }

@@ -1,6 +1,154 @@
 #include "nodes/evaluate/picture_layers.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <set>
+
+#include "nodes/evaluate/evaluator.h"
+#include "nodes/evaluate/flatten.h"
+
 namespace pileus::nodes {
+namespace {
+
+/// How many lights of the picture, one after the other, are of a node.
+struct LightsOf {
+  std::string node;
+  std::size_t count = 0;
+};
+using Owners = std::vector<LightsOf>;
+
+/// Follows lights upstream through shadows, dots and what is bypassed; nodes keep their order.
+class Trace {
+ public:
+  Trace(const Evaluator& evaluator, const Graph& flat) : evaluator_(evaluator), flat_(flat) {}
+
+  /// The lights that arrive at an input.
+  std::optional<Owners> arriving(const std::string& node, const std::string& socket) {
+    Owners all;
+    for (const Link& link : flat_.links) {
+      if (link.muted || link.toNode != node || link.toSocket != socket) continue;
+      const auto some = leaving(link.fromNode, link.fromSocket);
+      if (!some) return std::nullopt;
+      all.insert(all.end(), some->begin(), some->end());
+    }
+    return all;
+  }
+
+ private:
+  std::optional<Owners> leaving(const std::string& name, const std::string& socket) {
+    constexpr int kDeepest = 1000;
+    const Node* node = findNode(flat_, name);
+    const NodeType* type = node ? findNodeType(node->type) : nullptr;
+    if (!type || ++depth_ > kDeepest) return std::nullopt;
+    std::string through;  // the input that its lights come in by
+    for (const SocketSpec& input : type->inputs) {
+      const bool linked = std::any_of(flat_.links.begin(), flat_.links.end(), [&](const Link& l) {
+        return !l.muted && l.toNode == name && l.toSocket == input.id;
+      });
+      // A metric brings its lights with it, and goes before those that are linked beside it.
+      if (linked && !node->bypass && input.type == SocketType::Metric) through = input.id;
+      if (linked && through.empty() && (input.type == SocketType::Light || type->id == "dot"))
+        through = input.id;
+    }
+    if (!through.empty()) return arriving(name, through);
+    const SocketValue* value = evaluator_.output(name, socket);
+    const auto* lights = value ? std::get_if<LightValue>(value) : nullptr;
+    if (!lights) return std::nullopt;
+    return Owners{{name, lights->items.size()}};
+  }
+
+  const Evaluator& evaluator_;
+  const Graph& flat_;
+  int depth_ = 0;
+};
+
+/// The node that made the picture, upstream of an output: through dots and outputs that pass it on.
+std::string pictureNode(const Graph& flat, const std::string& output) {
+  std::string at = output;
+  for (std::size_t i = 0; i < flat.nodes.size(); ++i) {
+    const Node* node = findNode(flat, at);
+    const NodeType* type = node ? findNodeType(node->type) : nullptr;
+    if (!type) return {};
+    if (type->inputIndex("lights") >= 0) return at;
+    const auto link = std::find_if(flat.links.begin(), flat.links.end(),
+                                   [&](const Link& l) { return !l.muted && l.toNode == at; });
+    if (link == flat.links.end()) return {};
+    at = link->fromNode;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string layerName(std::string_view node) {
+  static constexpr std::array<std::string_view, 12> kTaken{"rgb",      "rgba",    "alpha",  "depth",
+                                                           "emission", "forward", "motion", "mask",
+                                                           "all",      "none",    "other",  "backward"};
+  std::string out;
+  for (const char c : node) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80;
+    if (plain)
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  while (!out.empty() && out.back() == '_') out.pop_back();
+  std::string lower = out;
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (out.empty()) return "light";
+  if (std::isdigit(static_cast<unsigned char>(out[0]))) return "light_" + out;
+  if (out.size() == 1 || std::find(kTaken.begin(), kTaken.end(), lower) != kTaken.end())
+    return out + "_light";
+  return out;
+}
+
+void nameLightLayers(image::Image& picture, const Evaluator& evaluator, const Graph& graph,
+                     const std::string& output) {
+  const Graph flat = flatten(graph).graph;
+  const std::string render = pictureNode(flat, output);
+  if (render.empty()) return;
+  const auto owners = Trace(evaluator, flat).arriving(render, "lights");
+  if (!owners) return;
+  const auto isLight = [&](std::size_t i) { return picture.layer(fmt::format("light{}", i + 1)) != nullptr; };
+  std::size_t count = 0;
+  for (const LightsOf& owner : *owners) count += owner.count;
+  if (count == 0 || !isLight(count - 1) || isLight(count)) return;
+
+  std::vector<image::Layer> named;
+  std::vector<std::string> nodes;  // of each of them
+  std::size_t next = 0;
+  for (const LightsOf& owner : *owners) {
+    for (std::size_t k = 0; k < owner.count; ++k) {
+      const image::Layer& one = *picture.layer(fmt::format("light{}", ++next));
+      const auto known = std::find(nodes.begin(), nodes.end(), owner.node);
+      if (known == nodes.end()) {
+        nodes.push_back(owner.node);
+        named.push_back(one);
+        continue;
+      }
+      image::Layer& sum = named[static_cast<std::size_t>(known - nodes.begin())];
+      for (std::size_t i = 0; i < sum.pixels.size(); ++i)  // alpha is that of the picture in all of them
+        if (sum.channels != 4 || i % 4 != 3) sum.pixels[i] += one.pixels[i];
+    }
+  }
+  std::set<std::string> used;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const std::string base = layerName(nodes[i]);
+    named[i].name = base;
+    for (int n = 2; !used.insert(named[i].name).second; ++n) named[i].name = fmt::format("{}_{}", base, n);
+  }
+  std::vector<image::Layer> layers;
+  for (image::Layer& layer : picture.layers) {
+    const bool first = layer.name == "light1";
+    bool light = false;
+    for (std::size_t i = 0; i < count && !light; ++i) light = layer.name == fmt::format("light{}", i + 1);
+    if (!light) layers.push_back(std::move(layer));
+    if (first) std::move(named.begin(), named.end(), std::back_inserter(layers));
+  }
+  picture.layers = std::move(layers);
+}
 
 view::ExtraLayers wantedLayers(const Graph& graph, const std::string& output) {
   const Node* node = findNode(graph, output);

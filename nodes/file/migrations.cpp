@@ -33,13 +33,15 @@ void writeOut(Json& graph, const std::vector<OldDefault>& defaults) {
   }
 }
 
-/// A point light became a point, and maps became those of the knee of the measured curve (docs/bench.md).
+/// A point light became a point, maps became those of the knee of the measured curve (docs/bench.md), and
+/// level sets, which were not drawn, fog.
 void toFormat2(Json& file) {
   writeOut(file, {{"light.point", "radius", 0.01},
                   {"light.spot", "radius", 0.01},
                   {"shadow.pseudometric", "resolution", 1024},
                   {"shadow.extinction", "coefficients", 8},
-                  {"shadow.extinction", "storage", "float"}});
+                  {"shadow.extinction", "storage", "float"},
+                  {"volume.vdb_file", "level_set", "ignore"}});
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // Graph files as a whole: versions, faults between nodes, paths relative to the file.
 #include "nodes/file/serialize.h"
 
+#include <algorithm>
+#include <fstream>
+
 #include "nodes/file/migrations.h"
 #include "nodes/file/serialize_json.h"
 #include "nodes/graph/graph_change.h"
@@ -28,10 +31,34 @@ std::string relativeTo(const fs::path& path, const fs::path& folder) {
   return shared > 1 ? path.lexically_relative(folder).generic_string() : path.generic_string();
 }
 
+/// What a file is that one may take for a graph; empty: it may be one.
+std::string whatElse(const fs::path& path) {
+  using namespace std::string_view_literals;
+  std::error_code ec;
+  if (!fs::is_regular_file(path, ec)) return {};
+  char head[8] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head);
+  const std::string_view start(head, sizeof head);
+  if (start.starts_with(" BDV\0\0\0\0"sv))
+    return "a volume, not a graph: open it with `pileus " + path.string() +
+           "`, or make a scene of it with a VDB File node whose file it is";
+  if (start.starts_with("\x76\x2f\x31\x01"sv))
+    return "an OpenEXR picture, not a graph: open it with `pileus " + path.string() +
+           "`, if Pileus exported it";
+  return {};
+}
+
 }  // namespace
 
 Graph withRelativePaths(const Graph& graph, const fs::path& from, const fs::path& to) {
   Graph result = graph;
+  const auto moved = [&](const std::string& text) {
+    return text.empty() || (from == to && fs::path(text).is_relative())
+               ? text
+               : relativeTo((from / text).lexically_normal(), to);
+  };
+  std::string& ocio = result.settings.ocio;
+  if (ocio.find("://") == ocio.npos) ocio = moved(ocio);  // not the name of one that is built in
   for (auto& [name, node] : result.nodes) {
     const NodeType* type = findNodeType(node->type);
     if (!type) continue;
@@ -40,9 +67,7 @@ Graph withRelativePaths(const Graph& graph, const fs::path& from, const fs::path
     for (const ParamSpec& spec : type->params) {
       const auto it = changed.params.find(spec.id);
       if (spec.type != ParamType::File || it == changed.params.end()) continue;
-      auto* text = std::get_if<std::string>(&it->second);
-      if (!text || text->empty() || (from == to && fs::path(*text).is_relative())) continue;
-      *text = relativeTo((from / *text).lexically_normal(), to);
+      if (auto* text = std::get_if<std::string>(&it->second)) *text = moved(*text);
     }
     if (!(changed == *node)) node = std::make_shared<const Node>(std::move(changed));
   }
@@ -104,6 +129,8 @@ Result<Loaded> parseGraph(std::string_view text) {
 }
 
 Result<Loaded> loadGraph(const fs::path& path) {
+  if (const std::string other = whatElse(path); !other.empty())
+    return fail(Code::Input, "{}: {}", path.string(), other);
   PILEUS_TRY(const std::string text, readFile(path, kLargestFile));
   auto loaded = parseGraph(text);
   if (!loaded) return fail(loaded.error().code, "{}: {}", path.string(), loaded.error().message);
@@ -115,8 +142,36 @@ std::string graphTextFor(const fs::path& path, const Graph& graph, const fs::pat
   return graphText(withRelativePaths(graph, folder.empty() ? to : absolutePath(folder), to));
 }
 
-Result<void> saveGraph(const fs::path& path, const Graph& graph, const fs::path& folder) {
+Result<void> saveGraph(const fs::path& path, const Graph& graph, const fs::path& folder, fs::path* kept) {
+  if (const auto there = loadGraph(path); there && there->loses()) {
+    const auto copy = backUp(path);
+    if (!copy)
+      return fail(copy.error().code, "{}: what could not be read of it cannot be kept: {}", path.string(),
+                  copy.error().message);
+    if (kept) *kept = *copy;
+  }
   return writeFileAtomic(path, graphTextFor(path, graph, folder));
+}
+
+bool Loaded::loses() const {
+  return std::any_of(faults.begin(), faults.end(), [](const Fault& f) { return f.lost; });
+}
+
+Result<fs::path> backUp(const fs::path& path) {
+  constexpr int kMost = 1000;
+  PILEUS_TRY(const std::string content, readFile(path, kLargestFile));
+  std::error_code ec;
+  for (int i = 1; i <= kMost; ++i) {
+    const fs::path copy = path.string() + (i == 1 ? ".bak" : fmt::format(".bak{}", i));
+    if (fs::exists(fs::symlink_status(copy, ec))) {
+      const auto there = readFile(copy, kLargestFile);
+      if (there && *there == content) return copy;
+      continue;
+    }
+    PILEUS_CHECK(writeFileAtomic(copy, content));
+    return copy;
+  }
+  return fail(Code::Input, "{}: no copy of it could be kept, there are {} already", path.string(), kMost);
 }
 
 std::string faultText(const Fault& fault) {

@@ -5,22 +5,21 @@
 
 namespace pileus::nodes {
 
-std::string copyText(const Graph& graph, const std::set<std::string>& names) {
+std::string copyText(const Graph& graph, const std::set<std::string>& names,
+                     const std::filesystem::path& folder) {
   Graph part;
   for (const std::string& name : names)
     if (const auto it = graph.nodes.find(name); it != graph.nodes.end()) part.nodes.insert(*it);
   for (const Link& link : graph.links)
     if (part.nodes.contains(link.fromNode) && part.nodes.contains(link.toNode)) part.links.push_back(link);
+  if (!folder.empty()) part = withRelativePaths(part, folder, "/");
   return writeJson(graphJson(part, false));
 }
 
-Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std::set<std::string>* pasted) {
-  const auto loaded = parseGraph(text);
-  if (!loaded) return fail(Code::Input, "the clipboard holds no Pileus nodes ({})", loaded.error().message);
-  const Graph& part = loaded->graph;
-  if (part.unknown.contains(kContent))
-    return fail(Code::Input, "the clipboard holds keys, not nodes: paste them over the timeline");
-  if (part.nodes.empty()) return fail(Code::Input, "the clipboard holds no Pileus nodes");
+namespace {
+
+/// The nodes of `part`, which are some, and the links between them.
+Graph joined(const Graph& graph, const Graph& part, dvec2 at, std::set<std::string>* pasted) {
   dvec2 low = part.nodes.begin()->second->at, high = low;
   for (const auto& [name, node] : part.nodes) {
     low = glm::min(low, node->at);
@@ -51,6 +50,27 @@ Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std
     result.links.push_back(std::move(link));
   }
   return result;
+}
+
+}  // namespace
+
+Result<Graph> pasteText(const Graph& graph, std::string_view text, dvec2 at, std::set<std::string>* pasted) {
+  const auto loaded = parseGraph(text);
+  if (!loaded) return fail(Code::Input, "the clipboard holds no Pileus nodes ({})", loaded.error().message);
+  const Graph& part = loaded->graph;
+  if (part.unknown.contains(kContent))
+    return fail(Code::Input, "the clipboard holds keys, not nodes: paste them over the timeline");
+  if (part.nodes.empty()) return fail(Code::Input, "the clipboard holds no Pileus nodes");
+  return joined(graph, part, at, pasted);
+}
+
+Result<Graph> mergeGraph(const Graph& graph, const std::filesystem::path& file,
+                         const std::filesystem::path& folder, dvec2 at, std::set<std::string>* pasted) {
+  PILEUS_TRY(const Loaded loaded, loadGraph(file));
+  if (loaded.graph.nodes.empty()) return fail(Code::Input, "{}: holds no nodes", file.string());
+  std::error_code ec;
+  const auto from = std::filesystem::absolute(file, ec).lexically_normal().parent_path();
+  return joined(graph, withRelativePaths(loaded.graph, from, folder.empty() ? "/" : folder), at, pasted);
 }
 
 }  // namespace pileus::nodes

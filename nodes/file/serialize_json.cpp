@@ -80,7 +80,7 @@ class DuplicateFinder {
     } else if (event == Event::key) {
       path_.back() = parsed.get_ref<const std::string&>();
       if (!open_.back().insert(path_.back()).second)
-        faults_->push_back({true, place(path_), "is given twice"});
+        faults_->push_back({true, place(path_), "is given twice", true});
     }
     return true;
   }

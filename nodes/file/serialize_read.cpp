@@ -21,6 +21,10 @@ class Reader {
   void error(const std::string& where, std::string text) {
     faults_->push_back({true, prefix_ + where, std::move(text)});
   }
+  /// An error about something that the graph has no place for.
+  void lost(const std::string& where, std::string text) {
+    faults_->push_back({true, prefix_ + where, std::move(text), true});
+  }
   void warning(const std::string& where, std::string text) {
     faults_->push_back({false, prefix_ + where, std::move(text)});
   }
@@ -101,34 +105,34 @@ bool isPair(const Json& json) {
 }
 
 bool Reader::text(const Json& json, const std::string& where, std::string& out) {
-  if (!json.is_string()) return error(where, shortened(json) + " is not a text"), false;
+  if (!json.is_string()) return lost(where, shortened(json) + " is not a text"), false;
   out = json.get<std::string>();
   return true;
 }
 
 void Reader::settings(const Json& json, Settings& out) {
-  if (!json.is_object()) return error("settings", "is not an object");
+  if (!json.is_object()) return lost("settings", "is not an object");
   for (const auto& [key, value] : json.items()) {
     const std::string where = "settings." + key;
     const bool ints = isPair(value) && isInt(value[0]) && isInt(value[1]);
     if (key == "size") {
       const ivec2 size = ints ? ivec2(value[0].get<int>(), value[1].get<int>()) : ivec2(0);
       if (!ints)
-        error(where, shortened(value) + " is not two whole numbers");
+        lost(where, shortened(value) + " is not two whole numbers");
       else if (size.x < 1 || size.y < 1 || size.x > kLargestSize || size.y > kLargestSize)
-        error(where, fmt::format("{}x{} is outside 1x1..{}x{}", size.x, size.y, kLargestSize, kLargestSize));
+        lost(where, fmt::format("{}x{} is outside 1x1..{}x{}", size.x, size.y, kLargestSize, kLargestSize));
       else
         out.size = size;
     } else if (key == "frames") {
       if (!ints)
-        error(where, shortened(value) + " is not two whole numbers");
+        lost(where, shortened(value) + " is not two whole numbers");
       else if (value[0].get<int>() > value[1].get<int>())
-        error(where, "the first frame comes after the last");
+        lost(where, "the first frame comes after the last");
       else
         out.frames = {value[0].get<int>(), value[1].get<int>()};
     } else if (key == "fps") {
       if (!value.is_number() || !(value.get<double>() > 0) || value.get<double>() > 1000)
-        error(where, shortened(value) + " is not a number above 0 and up to 1000");
+        lost(where, shortened(value) + " is not a number above 0 and up to 1000");
       else
         out.fps = value.get<double>();
     } else if (key == "ocio") {
@@ -196,7 +200,7 @@ void Reader::param(const std::string& where, const Json& json, const ParamSpec& 
 }
 
 void Reader::params(const std::string& name, const Json& json, const NodeType* type, Node& out) {
-  if (!json.is_object()) return error(name + ".params", "is not an object");
+  if (!json.is_object()) return lost(name + ".params", "is not an object");
   for (const auto& [id, value] : json.items()) {
     const ParamSpec* spec = type ? type->param(id) : nullptr;
     if (spec) {
@@ -210,10 +214,10 @@ void Reader::params(const std::string& name, const Json& json, const NodeType* t
 
 std::optional<Node> Reader::node(const std::string& name, const Json& json) {
   if (const auto valid = checkName(name); !valid)
-    return error("nodes." + name, valid.error().message), std::nullopt;
-  if (!json.is_object()) return error(name, "is not an object"), std::nullopt;
+    return lost("nodes." + name, valid.error().message), std::nullopt;
+  if (!json.is_object()) return lost(name, "is not an object"), std::nullopt;
   if (!json.contains("type") || !json["type"].is_string())
-    return error(name + ".type", "is missing or not a text"), std::nullopt;
+    return lost(name + ".type", "is missing or not a text"), std::nullopt;
   Node result;
   result.type = json["type"].get<std::string>();
   const NodeType* type = findNodeType(result.type);
@@ -225,7 +229,7 @@ std::optional<Node> Reader::node(const std::string& name, const Json& json) {
       if (isPair(value))
         result.at = {value[0].get<double>(), value[1].get<double>()};
       else
-        error(where, shortened(value) + " is not two numbers");
+        lost(where, shortened(value) + " is not two numbers");
     } else if (key == "params") {
       params(name, value, type, result);
     } else if (key == "graph" && result.type == "group" && value.is_object()) {
@@ -234,7 +238,7 @@ std::optional<Node> Reader::node(const std::string& name, const Json& json) {
       if (value.is_boolean())
         (key == "bypass" ? result.bypass : result.disabled) = value.get<bool>();
       else
-        error(where, shortened(value) + " is not true or false");
+        lost(where, shortened(value) + " is not true or false");
     } else if (key == "color") {
       text(value, where, result.color);
     } else if (key == "label") {
@@ -242,7 +246,7 @@ std::optional<Node> Reader::node(const std::string& name, const Json& json) {
     } else if (key == "expose") {
       std::string id;
       if (!value.is_array())
-        error(where, "is not a list");
+        lost(where, "is not a list");
       else
         for (const Json& item : value)
           if (text(item, where, id)) result.expose.push_back(id);
@@ -272,20 +276,20 @@ std::optional<Link> parseLink(std::string_view text) {
 }
 
 void Reader::links(const Json& json, const std::string& list, bool muted, Graph& graph) {
-  if (!json.is_array()) return error(list, "is not a list");
+  if (!json.is_array()) return lost(list, "is not a list");
   std::set<Link> seen;
   for (Link link : graph.links) seen.insert((link.muted = false, link));
   for (std::size_t i = 0; i < json.size(); ++i) {
     const std::string where = fmt::format("{}[{}]", list, i);
     auto link = json[i].is_string() ? parseLink(json[i].get_ref<const std::string&>()) : std::nullopt;
     if (!link) {
-      error(where, shortened(json[i]) + " is not \"Node.output -> Node.input\"");
+      lost(where, shortened(json[i]) + " is not \"Node.output -> Node.input\"");
       continue;
     }
     bool missing = false;
     for (const std::string& name : {link->fromNode, link->toNode})
       if (!graph.nodes.contains(name)) {
-        error(where, shortened(json[i]) + ": there is no node '" + name + "'");
+        lost(where, shortened(json[i]) + ": there is no node '" + name + "'");
         missing = true;
       }
     if (missing) continue;
@@ -351,7 +355,7 @@ Graph Reader::read(const Json& json) {
   if (const auto it = json.find("nodes"); it == json.end()) {
     warning("nodes", "is missing");
   } else if (!it->is_object()) {
-    error("nodes", "is not an object");
+    lost("nodes", "is not an object");
   } else {
     for (const auto& [name, value] : it->items())
       if (auto read = node(name, value))

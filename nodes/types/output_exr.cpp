@@ -26,7 +26,9 @@ void describe(Describe<In, Out>& d) {
   d.in("image", &In::image).required().help("The picture to write.");
   d.in("file", &In::file)
       .file("exr", true)
-      .help("Target; #, ####, %04d or $F stand for the frame. `pileus render -o` overrides it.");
+      .help(
+          "Target; the last run of #, or the last %04d or $F, stands for the frame. `pileus render -o` "
+          "overrides it.");
   d.in("type", &In::type).help("Precision of the stored pixels.");
   d.in("compression", &In::compression).help("Compression of the file.");
   d.in("depth", &In::depth)
@@ -36,9 +38,9 @@ void describe(Describe<In, Out>& d) {
   d.in("lights", &In::lights)
       .label("Light layers")
       .help(
-          "Adds light1.R, light1.G ... for each light in the order of the links: its part of the picture, "
-          "and emission.R ... where something emits. Their sum is the picture; each takes about as long as "
-          "it.");
+          "Adds a layer for each light node, by its name (Sun.R, Sun.G ...): its part of the picture, and "
+          "emission.R ... where something emits. Their sum is the picture. Names are made of letters, digits "
+          "and underscores; a soft sun takes about as long as the picture for each sample of its disc.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

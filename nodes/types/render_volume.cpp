@@ -5,6 +5,7 @@
 #include "nodes/declare/describe.h"
 #include "nodes/types/passes.h"
 #include "renderer/view/volume_render.h"
+#include "renderer/volume/autofit.h"
 
 namespace pileus::nodes {
 namespace {
@@ -76,7 +77,7 @@ void describe(Describe<In, Out>& d) {
 
 /// The volumes; solids only where there is nothing else: a wide ground would make clouds tiny.
 Box3 framed(const In& in) {
-  const Box3 volumes = volume::worldBounds(in.volumes.items);
+  const Box3 volumes = volume::worldBulkBounds(in.volumes.items);
   return volumes.empty() ? scene::worldBounds(in.solids.items) : volumes;
 }
 

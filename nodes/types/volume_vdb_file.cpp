@@ -11,6 +11,7 @@ namespace {
 struct In {
   FilePath file;
   std::string grid;
+  volume::LevelSets level_set = volume::LevelSets::Fog;
 };
 
 struct Out {
@@ -25,13 +26,32 @@ void describe(Describe<In, Out>& d) {
   d.in("file", &In::file).file("vdb").help("The .vdb file. Relative paths start at the graph's folder.");
   d.in("grid", &In::grid)
       .help("Name of the grid, or name[i] where several share it. Empty: chosen by name and class.");
+  d.in("level_set", &In::level_set)
+      .label("Level sets")
+      .help("What becomes of a grid that holds distances to a surface instead of densities.");
   d.out("volume", &Out::volume).help("The grid as one volume with the default medium.");
 }
 
 struct Read {
   volume::ImportedGrid imported;
   volume::Autofit fit;
+  std::string stray;  ///< what lies far from all else; empty: nothing does
 };
+
+/// A voxel that was set by mistake makes a grid large, and a reader wonder.
+std::string strayOf(const volume::BrickGrid& grid) {
+  const Box3 whole = grid.indexBounds, bulk = volume::bulkBounds(grid);
+  for (int a = 0; a < 3; ++a)
+    for (const bool low : {true, false}) {
+      const double far = low ? whole.min[a] : whole.max[a], near = low ? bulk.min[a] : bulk.max[a];
+      if (std::abs(far - near) > bulk.size()[a])
+        return fmt::format(
+            "something lies far from the rest, at {} {:.0f} where all else is within {:.0f} to {:.0f}: it is "
+            "drawn, but shadows and cameras are fitted to the rest",
+            "XYZ"[a], low ? far + 1 : far - 1, bulk.min[a], bulk.max[a]);
+    }
+  return {};
+}
 
 struct Import {
   std::unique_ptr<Job<Read>> job;
@@ -55,13 +75,13 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
   auto& job = ctx.state<Import>().job;
   if (!job)
-    job = std::make_unique<Job<Read>>(
-        [path = std::filesystem::path(in.file.path), grid = in.grid](JobControl& control) -> Result<Read> {
-          Read read;
-          PILEUS_TRY(read.imported, volume::importVdb(path, grid, control));
-          read.fit = volume::autofit(*read.imported.grid);
-          return read;
-        });
+    job = std::make_unique<Job<Read>>([path = std::filesystem::path(in.file.path), grid = in.grid,
+                                       surfaces = in.level_set](JobControl& control) -> Result<Read> {
+      Read read;
+      PILEUS_TRY(read.imported, volume::importVdb(path, grid, control, {}, surfaces));
+      read.fit = volume::autofit(*read.imported.grid);
+      return read;
+    });
   if (!job->done()) {
     ctx.pending(job->progress(), "Reading " + std::filesystem::path(in.file.path).filename().string());
     return Out{};
@@ -69,6 +89,8 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (!job->result()) return fail(job->result().error().code, "file: {}", job->result().error().message);
   const volume::ImportedGrid& imported = job->result()->imported;
   for (const std::string& warning : imported.warnings) ctx.warn(warning);
+  if (const std::string& stray = job->result()->stray; !stray.empty())
+    ctx.warn(fmt::format("grid '{}': {}", imported.grid->name, stray));
   Out out;
   volume::Instance instance;
   instance.shape = volume::Shape::Grid;
@@ -81,6 +103,8 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
         imported.grid->indexBounds.size() - dvec3(1.0);  // bounds reach one voxel beyond the active ones
     ctx.note(fmt::format("{}, {:.0f} x {:.0f} x {:.0f}, {} active voxels", imported.grid->name, extent.x,
                          extent.y, extent.z, imported.grid->activeVoxels));
+    if (imported.levelSet)
+      ctx.note("A level set, drawn as fog: 0 at its surface, 1 where its band ends inside");
     explain(in, *job->result(), ctx);
     ctx.reportGpu(0, std::size_t(imported.grid->payloadCount) * volume::kStoredVoxels);
   }

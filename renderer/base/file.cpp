@@ -88,27 +88,60 @@ Temporary createTemporary(const fs::path& target, unsigned mode) {
   return out;
 }
 
-Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
-  // A link stays a link: what it names is replaced.
-  std::error_code ec;
-  fs::path path = target;
-  if (fs::is_symlink(fs::symlink_status(path, ec)))
-    if (const fs::path real = fs::canonical(path, ec); !ec) path = real;
-  struct stat old {};
-  const mode_t mode = ::stat(path.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
-  const auto [fd, temporary] = createTemporary(path, mode | 0200);
-  if (fd < 0) return fail(Code::Input, "{}: cannot be written ({})", path.string(), reason());
-  std::size_t done = 0;
-  bool ok = true;
-  while (ok && done < content.size()) {
-    const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
+bool writeAll(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t n = ::write(file, content.data(), content.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0)
-      ok = false;
-    else
-      done += static_cast<std::size_t>(n);
+    if (n <= 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(n));
   }
-  ok = ok && ::fsync(fd) == 0;
+  return true;
+}
+
+bool isStream(const fs::path& path) {
+  struct stat st {};
+  return ::stat(path.c_str(), &st) == 0 && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode);
+}
+
+fs::path linkTarget(const fs::path& path) {
+  constexpr int kLongestChain = 40;  // as the kernel has it
+  fs::path end = path;
+  std::error_code ec;
+  for (int i = 0; i < kLongestChain && fs::is_symlink(fs::symlink_status(end, ec)); ++i) {
+    const fs::path next = fs::read_symlink(end, ec);
+    if (ec) break;
+    end = next.is_absolute() ? next : end.parent_path() / next;
+  }
+  return end;
+}
+
+Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
+  const auto refused = [&](std::string_view why) {
+    return fail(Code::Input, "{}: cannot be written ({})", target.string(), why);
+  };
+  if (isStream(target)) {
+    const int fd = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    if (fd < 0) return refused(reason());
+    const bool ok = writeAll(fd, content);
+    const std::string why = ok ? "" : reason();
+    ::close(fd);
+    if (!ok) return refused(why);
+    return {};
+  }
+  const fs::path path = linkTarget(target);
+  struct stat old {};
+  const bool replaces = ::stat(path.c_str(), &old) == 0;
+  // Renaming needs no leave of the file that is replaced, so it is asked here, the superuser too: whoever
+  // takes the right to write away means it.
+  if (replaces && ((old.st_mode & 0222) == 0 || ::access(path.c_str(), W_OK) != 0))
+    return refused("it is read-only");
+  const auto [fd, temporary] = createTemporary(path, replaces ? 0600 : 0666);
+  if (fd < 0) return refused(reason());
+  if (replaces) {  // the owner and what nobody else may are no reason to fail
+    if (old.st_gid != ::getegid()) (void)!::fchown(fd, static_cast<uid_t>(-1), old.st_gid);
+    (void)!::fchmod(fd, old.st_mode & 0777);
+  }
+  bool ok = writeAll(fd, content) && ::fsync(fd) == 0;
   std::string why = ok ? "" : reason();
   ::close(fd);
   if (ok && std::rename(temporary.c_str(), path.c_str()) != 0) {
@@ -117,7 +150,7 @@ Result<void> writeFileAtomic(const fs::path& target, std::string_view content) {
   }
   if (!ok) {
     ::unlink(temporary.c_str());
-    return fail(Code::Input, "{}: cannot be written ({})", path.string(), why);
+    return refused(why);
   }
   // The new name itself reaches the disk with its folder; where folders cannot be synced nothing is lost.
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");

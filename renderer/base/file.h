@@ -20,8 +20,15 @@ struct Temporary {
 };
 Temporary createTemporary(const std::filesystem::path& target, unsigned mode);
 /// Temporary file beside the target, fsync, rename: the target is the old content or the new, never a part.
-/// Keeps the target's permissions, and a link a link.
+/// Keeps the target's permissions, and a link a link, also where what it names is not there yet; a file that
+/// is set read-only is an error. What is no file on a disk (isStream) is written to as it is.
 Result<void> writeFileAtomic(const std::filesystem::path& target, std::string_view content);
+/// A device, a pipe or a socket: there, but neither a file nor a folder, and no place for either.
+bool isStream(const std::filesystem::path& path);
+/// What a chain of links ends at, whether it is there or not; `path` itself where it is no link.
+std::filesystem::path linkTarget(const std::filesystem::path& path);
+/// All of it, into an open file. False: errno says why not.
+bool writeAll(int file, std::string_view content);
 /// Key of (absolute path, size, modification time): what a file input contributes to a content key. Missing
 /// file: a key of its path.
 Key fileStamp(const std::filesystem::path& path);

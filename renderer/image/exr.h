@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "renderer/base/enum_info.h"
 #include "renderer/image/image.h"
@@ -34,11 +35,16 @@ struct ExrOptions {
   Compression compression = Compression::Zip;
 };
 
-/// Atomic (temporary file, rename). Half: values are clamped to the largest finite half. A NaN or infinity in
-/// the input makes the call fail (Internal) naming layer and pixel: none ever reaches a file. Error (Input)
-/// names an unwritable path. Metadata names beyond the 31 characters of EXR are shortened, ending in digits
-/// of their hash.
-Result<void> writeExr(const std::filesystem::path& path, const Image& image, const ExrOptions& options = {});
+/// The bytes of a file. Half: values are clamped to the largest finite half. A NaN or infinity in the input
+/// makes the call fail (Internal) naming layer and pixel: none ever reaches a file, nor is one read back from
+/// it: where DWAA would make infinities of large values, ZIP is used. `warnings` gets a sentence on each of
+/// these. Metadata names beyond the 31 characters of EXR are shortened, ending in digits of their hash.
+Result<std::string> encodeExr(const Image& image, const ExrOptions& options,
+                              std::vector<std::string>& warnings);
+/// The same as a file, as writeFileAtomic. Without `warnings` they go to the log. Error (Input) names an
+/// unwritable path.
+Result<void> writeExr(const std::filesystem::path& path, const Image& image, const ExrOptions& options = {},
+                      std::vector<std::string>* warnings = nullptr);
 /// Any flat EXR (scanline or tiled, half/float/uint), first part. Channels R,G,B(,A), X,Y,Z and Y become
 /// layers by their prefix; any other channel is a layer of its own, of its full name; the beauty comes first.
 /// Without chromaticities in the file they are Rec. 709's, as the format has it. Values are as stored, NaNs

@@ -67,6 +67,16 @@ ChannelDifference channelDifference(const Layer& a, const Layer& b, int componen
   return out;
 }
 
+/// Pixels with a value that is not finite in some layer of either picture.
+std::size_t countNotFinite(const Image& a, const Image& b) {
+  std::vector<bool> bad(static_cast<std::size_t>(a.size.x) * static_cast<std::size_t>(a.size.y));
+  for (const Image* image : {&a, &b})
+    for (const Layer& layer : image->layers)
+      for (std::size_t i = 0; i < layer.pixels.size(); ++i)
+        if (!std::isfinite(layer.pixels[i])) bad[i / static_cast<std::size_t>(layer.channels)] = true;
+  return static_cast<std::size_t>(std::count(bad.begin(), bad.end(), true));
+}
+
 /// `covered`: only pixels with reference alpha > 0.01. Nothing if there are none.
 std::optional<double> relativeMse(const Layer& a, const Layer& b, bool covered) {
   const auto stride = static_cast<std::size_t>(a.channels), colors = std::min<std::size_t>(stride, 3);
@@ -90,6 +100,7 @@ std::optional<double> relativeMse(const Layer& a, const Layer& b, bool covered) 
 Result<Difference> compare(const Image& a, const Image& b) {
   PILEUS_CHECK(checkComparable(a, b));
   Difference out;
+  out.notFinite = countNotFinite(a, b);
   const Layer& reference = beauty(b);
   double squares = 0;
   int colors = 0;

@@ -17,6 +17,7 @@ struct Difference {
                        ///< is the reference
   double maximum = 0;  ///< largest |a - b| over all channels
   std::vector<ChannelDifference> channels;
+  std::size_t notFinite = 0;  ///< pixels with a value that is not finite, in some layer of either picture
 };
 
 /// a against the reference b. Error (Input) where sizes, data windows or channels differ. A value that is not

@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "renderer/volume/autofit.h"
+
 namespace pileus::shadow {
 namespace {
 
@@ -10,13 +12,15 @@ double faceScale(const LightFrustum& f, int resolution) {
   return f.kind == scene::LightKind::Point ? 1 - 2.0 / resolution : 1;
 }
 
+/// About the bulk of the media: what is fitted to a stray voxel too would have no texels left for the rest. A
+/// stray outside is lit without a shadow.
 LightFrustum fitSun(const scene::Light& sun, const volume::InstanceList& media, int resolution) {
   const dvec3 along = -glm::normalize(sun.towards);
   const dvec3 helper = std::abs(along.y) < 0.99 ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
   const dvec3 right = glm::normalize(glm::cross(along, helper)), down = glm::cross(along, right);
   Box3 box;  // in (right, down, along)
   for (const volume::Instance& i : media) {
-    const Box3 local = volume::localBounds(i);
+    const Box3 local = volume::bulkBounds(i);
     if (local.empty() || i.emission) continue;
     for (int c = 0; c < 8; ++c) {
       const dvec3 p(i.worldFromLocal * dvec4(local.corner(c), 1.0));
@@ -107,7 +111,7 @@ LightFrustum fitLocal(const scene::Light& light, const volume::InstanceList& med
   const dmat4 lightFromWorld = glm::inverse(out.worldFromLight);
   double near = std::numeric_limits<double>::infinity(), far = 0;
   for (const volume::Instance& i : media) {
-    const Box3 box = volume::worldBounds(i);
+    const Box3 box = volume::worldBulkBounds(i);
     if (box.empty() || i.emission) continue;
     std::array<dvec3, 8> corners;
     for (int c = 0; c < 8; ++c) corners[std::size_t(c)] = dvec3(lightFromWorld * dvec4(box.corner(c), 1.0));
@@ -166,7 +170,7 @@ std::optional<ThinMedium> thinnestMedium(const scene::Light& light, const volume
                                          const LightFrustum& f, int resolution) {
   std::optional<ThinMedium> worst;
   for (const volume::Instance& i : media) {
-    const Box3 local = volume::localBounds(i);
+    const Box3 local = volume::bulkBounds(i);
     if (i.shape != volume::Shape::Grid || local.empty() || i.emission) continue;
     const dvec3 middle(i.worldFromLocal * dvec4(local.center(), 1));
     const dvec3 towards = f.perspective() ? light.position - middle : light.towards;

@@ -3,19 +3,83 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace pileus::volume {
 namespace {
 
+/// A voxel of a brick by its place in it.
+double ownVoxel(const BrickGrid& grid, const Brick& brick, ivec3 at) {
+  if (brick.payload == kConstantBrick) return double(brick.offset);
+  const ivec3 s = at + kApron;
+  const auto i = (std::size_t(s.z) * kStoredSize + std::size_t(s.y)) * kStoredSize + std::size_t(s.x);
+  return double(brick.offset) + double(brick.scale) * std::to_integer<unsigned>(grid.bytes(brick)[i]) / 255;
+}
+
+/// Cells of a level, from..to inclusive.
+struct Cells {
+  ivec3 from, to;
+};
+
+/// How much lies in each slab of cells, along the three axes.
+std::array<std::vector<double>, 3> slabs(const BrickGrid& grid, const Level& level, const Cells& cells) {
+  std::array<std::vector<double>, 3> sums;
+  for (int a = 0; a < 3; ++a) sums[std::size_t(a)].resize(std::size_t(cells.to[a] - cells.from[a] + 1));
+  const ivec3 b0 = cells.from / kBrickSize, b1 = cells.to / kBrickSize;
+  for (int z = b0.z; z <= b1.z; ++z)
+    for (int y = b0.y; y <= b1.y; ++y)
+      for (int x = b0.x; x <= b1.x; ++x) {
+        const Brick& brick = level.at({x, y, z});
+        if (!(brick.maximum > 0)) continue;
+        const ivec3 corner = ivec3(x, y, z) * kBrickSize, lo = glm::max(cells.from - corner, ivec3(0)),
+                    hi = glm::min(cells.to - corner, ivec3(kBrickSize - 1));
+        for (int k = lo.z; k <= hi.z; ++k)
+          for (int j = lo.y; j <= hi.y; ++j)
+            for (int i = lo.x; i <= hi.x; ++i) {
+              const double v = std::max(0.0, ownVoxel(grid, brick, {i, j, k}));
+              const ivec3 at = corner + ivec3(i, j, k) - cells.from;
+              for (int a = 0; a < 3; ++a) sums[std::size_t(a)][std::size_t(at[a])] += v;
+            }
+      }
+  return sums;
+}
+
+/// The stretch about the heaviest slab, up to where a gap is wider than it and next to nothing lies behind.
+ivec2 withoutStrays(const std::vector<double>& sums) {
+  constexpr double kStray = 1e-3;
+  double total = 0;
+  for (const double v : sums) total += v;
+  const int last = static_cast<int>(sums.size()) - 1;
+  const int heaviest = static_cast<int>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+  ivec2 kept(heaviest);
+  // To each side in turn, until neither goes on: what one side gains makes gaps of the other narrow.
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const int step : {-1, 1}) {
+      int& end = step < 0 ? kept.x : kept.y;
+      for (int at = end + step; at >= 0 && at <= last; at += step) {
+        if (sums[std::size_t(at)] <= 0) continue;
+        double behind = 0;
+        for (int i = at; i >= 0 && i <= last; i += step) behind += sums[std::size_t(i)];
+        if (std::abs(at - end) - 1 > kept.y - kept.x + 1 && behind <= kStray * total) break;
+        end = at;
+        grown = true;
+      }
+    }
+  }
+  return kept;
+}
+
 /// Integral of the density [unit x m] along the line through `center` (index coordinates) in a world
 /// direction.
 double integral(const BrickGrid& grid, const dmat4& indexFromWorld, const dvec3& center,
-                const dvec3& direction, int level) {
+                const dvec3& direction, int level, const Box3& bulk) {
   const dvec3 d = dvec3(indexFromWorld * dvec4(direction, 0.0));
-  const auto inside = intersectBox(center, d, grid.indexBounds.min, grid.indexBounds.max);
+  const auto inside = intersectBox(center, d, bulk.min, bulk.max);
   if (!inside) return 0;
   const double length = inside->y - inside->x;  // metres: the direction has length 1 in the world
   const int steps = std::clamp(static_cast<int>(2 * length * glm::length(d) / std::exp2(level)), 16, 4096);
@@ -35,9 +99,61 @@ int levelToMeasure(const BrickGrid& grid) {
   return level;
 }
 
+Box3 bulkBounds(const BrickGrid& grid) {
+  constexpr double kSmall = 512;  // voxels: what is there is looked at closely enough
+  if (grid.empty()) return {};
+  const dvec3 size = grid.indexBounds.size();
+  if (std::max({size.x, size.y, size.z}) < kSmall) return grid.indexBounds;
+  // From coarse to fine: each level only where the last one left something, until cells are fine enough.
+  constexpr int kToSee = 16, kToMeasure = 64;  // cells along the longest axis
+  Cells cells{ivec3(0), grid.levels.back().bricks * kBrickSize - 1};
+  bool cut = false;
+  for (int level = static_cast<int>(grid.levels.size()) - 1;; --level) {
+    const Level& l = grid.levels[std::size_t(level)];
+    cells.to = glm::min(cells.to, l.bricks * kBrickSize - 1);
+    const auto sums = slabs(grid, l, cells);
+    for (int a = 0; a < 3; ++a) {
+      if (*std::max_element(sums[std::size_t(a)].begin(), sums[std::size_t(a)].end()) <= 0)
+        return grid.indexBounds;  // nothing above 0
+      const ivec2 kept = withoutStrays(sums[std::size_t(a)]);
+      const auto holds = [&](int i) { return sums[std::size_t(a)][std::size_t(i)] > 0; };
+      for (int i = 0; i < kept.x; ++i) cut = cut || holds(i);
+      for (int i = kept.y + 1; i < static_cast<int>(sums[std::size_t(a)].size()); ++i) cut = cut || holds(i);
+      cells.to[a] = cells.from[a] + kept.y;
+      cells.from[a] += kept.x;
+    }
+    const ivec3 span = cells.to - cells.from + 1;
+    const int longest = std::max({span.x, span.y, span.z});
+    if (level == 0 || longest >= (cut ? kToMeasure : kToSee)) {
+      if (!cut) return grid.indexBounds;
+      // A cell is the mean of voxels 2^level i .. + 2^level - 1; a voxel's value reaches one further.
+      const double edge = std::exp2(level);
+      Box3 box{dvec3(grid.origin) + dvec3(cells.from) * edge - 1.0,
+               dvec3(grid.origin) + dvec3(cells.to + 1) * edge};
+      box.min = glm::max(box.min, grid.indexBounds.min);
+      box.max = glm::min(box.max, grid.indexBounds.max);
+      return box;
+    }
+    cells = {cells.from * 2, cells.to * 2 + 1};
+  }
+}
+
+Box3 bulkBounds(const Instance& i) {
+  return i.shape == Shape::Grid && i.grid ? bulkBounds(*i.grid) : localBounds(i);
+}
+Box3 worldBulkBounds(const Instance& i) { return transformed(bulkBounds(i), i.worldFromLocal); }
+Box3 worldBulkBounds(const InstanceList& instances) {
+  Box3 box;
+  for (const Instance& i : instances) box.extend(worldBulkBounds(i));
+  return box;
+}
+
 Autofit autofit(const BrickGrid& grid, double target) {
   if (grid.empty()) return {};
-  const int level = levelToMeasure(grid);
+  const Box3 bulk = bulkBounds(grid);
+  const double span = std::max({bulk.size().x, bulk.size().y, bulk.size().z});
+  int level = levelToMeasure(grid);  // finer, where strays have made the grid large
+  while (level > 0 && std::exp2(level) * 60 > span) --level;
   std::vector<dvec3> directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   constexpr int kSpread = 60;  // a spiral on the upper half sphere
   for (int i = 0; i < kSpread; ++i) {
@@ -48,14 +164,14 @@ Autofit autofit(const BrickGrid& grid, double target) {
   const auto median = [&](const dvec3& center) {
     std::vector<double> depths;
     for (const dvec3& d : directions)
-      if (const double t = integral(grid, indexFromWorld, center, d, level); t > 0 && std::isfinite(t))
+      if (const double t = integral(grid, indexFromWorld, center, d, level, bulk); t > 0 && std::isfinite(t))
         depths.push_back(t);
     if (depths.empty()) return 0.0;
     const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
     std::nth_element(depths.begin(), middle, depths.end());
     return *middle;
   };
-  double depth = median(grid.indexBounds.center());
+  double depth = median(bulk.center());
   if (depth == 0) {  // hollow in the middle: through the brick with the largest values
     const Level& l = grid.levels.front();
     const auto most = std::max_element(l.table.begin(), l.table.end(),

@@ -117,21 +117,10 @@ constexpr std::chrono::hours kLongestWrite{1};
 
 bool isTemporary(const fs::path& path) { return path.extension().string().starts_with(".tmp"); }
 
-bool writeAll(int fd, const void* data, std::size_t size) {
-  const auto* p = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t n = ::write(fd, p, std::min<std::size_t>(size, 1u << 30));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    p += n;
-    size -= static_cast<std::size_t>(n);
-  }
-  return true;
-}
-
 }  // namespace
 
-Result<void> writeStore(const fs::path& path, const BrickGrid& grid, const std::vector<std::string>& notes) {
+bool writeStoreTo(const BrickGrid& grid, const std::vector<std::string>& notes,
+                  const std::function<bool(std::string_view)>& sink) {
   std::string front = metadata(grid, notes);
   Header h{};
   std::memcpy(h.magic, kMagic, sizeof kMagic);
@@ -149,14 +138,18 @@ Result<void> writeStore(const fs::path& path, const BrickGrid& grid, const std::
   h.ownKey = keyOfHeader(h);
   front.insert(0, reinterpret_cast<const char*>(&h), sizeof h);
   front.resize(static_cast<std::size_t>(h.payloadOffset), '\0');
+  return sink(front) && sink({reinterpret_cast<const char*>(grid.payload.get()), payloadSize});
+}
 
+Result<void> writeStore(const fs::path& path, const BrickGrid& grid, const std::vector<std::string>& notes) {
   const auto [fd, temporary] = createTemporary(path, 0644);
   if (fd < 0) return fail(Code::Input, "{}: cannot be written ({})", path.string(), std::strerror(errno));
-  bool ok = writeAll(fd, front.data(), front.size()) && writeAll(fd, grid.payload.get(), payloadSize);
-  ok = ::close(fd) == 0 && ok;  // no fsync: a cache whose damage is noticed and repaired
-  ok = ok && std::rename(temporary.c_str(), path.c_str()) == 0;
+  bool ok = writeStoreTo(grid, notes, [&](std::string_view bytes) { return writeAll(fd, bytes); });
+  int why = errno;
+  if (::close(fd) != 0 && ok)
+    ok = false, why = errno;  // no fsync: a cache whose damage is noticed and repaired
+  if (ok && std::rename(temporary.c_str(), path.c_str()) != 0) ok = false, why = errno;
   if (ok) return {};
-  const int why = errno;
   ::unlink(temporary.c_str());
   return fail(Code::Input, "{}: cannot be written ({})", path.string(), std::strerror(why));
 }

@@ -3,7 +3,9 @@
 // be mapped and streamed. Little-endian. Everything is covered by checksums: a damaged file is an error,
 // never a wrong picture.
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/base/result.h"
@@ -21,6 +23,9 @@ struct StoredGrid {
 /// Temporary file beside the target, then rename. Error (Input): the path and the reason.
 Result<void> writeStore(const std::filesystem::path& path, const BrickGrid& grid,
                         const std::vector<std::string>& notes = {});
+/// Its bytes, in order, to `sink` until that says false.
+bool writeStoreTo(const BrickGrid& grid, const std::vector<std::string>& notes,
+                  const std::function<bool(std::string_view)>& sink);
 /// Maps the file; the grid keeps it mapped. Error (Input): missing, another version, damaged (what is wrong).
 Result<StoredGrid> readStore(const std::filesystem::path& path);
 /// What a process that was killed while it wrote that store has left of it.

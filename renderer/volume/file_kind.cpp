@@ -81,4 +81,13 @@ std::optional<std::string> whyNotVdb(const fs::path& path) {
   return fmt::format("is not a VDB file: it begins with the bytes {}", hex);
 }
 
+int vdbFormatOf(const fs::path& path) {
+  char head[12] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head);
+  if (!std::string_view(head, sizeof head).starts_with(" BDV\0\0\0\0"sv)) return 0;
+  std::int32_t version;
+  std::memcpy(&version, head + 8, sizeof version);
+  return version;
+}
+
 }  // namespace pileus::volume

@@ -10,4 +10,7 @@ namespace pileus::volume {
 /// instead.
 std::optional<std::string> whyNotVdb(const std::filesystem::path& path);
 
+/// The file format that the header of a .vdb file claims; 0: it has none.
+int vdbFormatOf(const std::filesystem::path& path);
+
 }  // namespace pileus::volume

@@ -29,6 +29,7 @@ bool isFloating(const GridInfo& g) {
 
 int rank(const GridInfo& g) {
   if (!g.drawable) return 9;
+  if (g.gridClass == "level set") return 6;  // fog before surfaces
   const GridRole role = roleOfGrid(g.name);
   if (isFloating(g) && role == GridRole::Density) return isFog(g) ? 0 : 1;
   if (role != GridRole::Unknown && role != GridRole::Density) return 5;
@@ -113,7 +114,10 @@ GridGuess guessGrid(std::span<const GridInfo> grids) {
   const GridRole role = roleOfGrid(best->name);
   const auto fogs = std::count_if(grids.begin(), grids.end(),
                                   [](const GridInfo& g) { return g.drawable && isFog(g) && isFloating(g); });
-  if (role == GridRole::Density) {
+  if (best->gridClass == "level set") {
+    out.why = "a level set, drawn as fog inside its surface";
+    out.confidence = Confidence::Likely;
+  } else if (role == GridRole::Density) {
     out.why = fmt::format("by its name{}", isFog(*best) ? ", and it is a fog volume" : "");
     out.confidence = isFog(*best) ? Confidence::Sure : Confidence::Likely;
   } else if (isFog(*best) && role == GridRole::Unknown) {

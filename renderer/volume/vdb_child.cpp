@@ -78,13 +78,21 @@ int work(int argc, char** argv, Speaker& speaker, JobControl& control) {
     speaker.say(MessageKind::Info, encodeInfo(*info));
     return 0;
   }
-  auto imported = (*file)->import(argv[4], control);
+  auto imported = (*file)->import(argv[4], enumFromId<LevelSets>(argv[6]).value_or(LevelSets::Fog), control);
   if (!imported) return speaker.fail(imported.error());
   std::vector<std::string> notes = imported->warnings;
   for (const std::string& name : imported->others) notes.push_back(std::string(kOtherGrid) + name);
-  if (auto written = writeStore(argv[5], *imported->grid, notes); !written)
-    return speaker.fail(written.error());
-  speaker.say(MessageKind::Done, "");
+  if (imported->levelSet) notes.emplace_back(kWasLevelSet);
+  const auto written = writeStore(argv[5], *imported->grid, notes);
+  if (!written) {  // a full disk is no reason to see nothing: the parent keeps it in memory
+    constexpr std::size_t kPart = std::size_t(1) << 20;
+    writeStoreTo(*imported->grid, notes, [&](std::string_view bytes) {
+      for (; !bytes.empty(); bytes.remove_prefix(std::min(kPart, bytes.size())))
+        speaker.say(MessageKind::Store, bytes.substr(0, kPart));
+      return true;
+    });
+  }
+  speaker.say(MessageKind::Done, written ? "" : written.error().message);
   return 0;
 }
 
@@ -92,7 +100,7 @@ int work(int argc, char** argv, Speaker& speaker, JobControl& control) {
 
 int importChildMain(int argc, char** argv) {
   const std::string_view verb = argc > 2 ? argv[2] : "";
-  if (!(verb == "inspect" && argc == 6) && !(verb == "grid" && argc == 8)) {
+  if (!(verb == "inspect" && argc == 6) && !(verb == "grid" && argc == 9)) {
     static constexpr char kWhy[] = "pileus: `import` is internal; use `pileus info FILE`\n";
     return ::write(2, kWhy, sizeof kWhy - 1) > 0 ? 2 : 2;
   }

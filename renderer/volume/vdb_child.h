@@ -10,8 +10,8 @@
 namespace pileus::volume {
 
 /// The hidden subcommand: argv = <exe> import inspect FILE MEMORY CPU | <exe> import grid FILE NAME STORE
-/// MEMORY CPU (limits in bytes and seconds). Speaks the protocol below on standard output. Returns the exit
-/// status.
+/// LEVELSETS MEMORY CPU (limits in bytes and seconds). Speaks the protocol below on standard output. Returns
+/// the exit status.
 int importChildMain(int argc, char** argv);
 
 /// A message: one byte kind, four bytes length, content.
@@ -19,7 +19,8 @@ enum class MessageKind : char {
   Progress = 'P',  ///< double
   Error = 'E',     ///< int32 Code, text
   Info = 'I',      ///< encodeInfo
-  Done = 'D',      ///< nothing: the store is written
+  Store = 'S',     ///< a part of the store, which could not be written: all of them together are it
+  Done = 'D',      ///< why the store could not be written; nothing: it is there
 };
 std::string encodeMessage(MessageKind kind, std::string_view content);
 struct Message {
@@ -31,6 +32,9 @@ Result<std::optional<Message>> takeMessage(std::string& buffer);
 
 /// Begins a note of a store that names another grid of the file (a warning never begins so).
 inline constexpr std::string_view kOtherGrid = "\x01grid ";
+
+/// The note that says that the grid was a level set.
+inline constexpr std::string_view kWasLevelSet = "\x01level set";
 
 std::string encodeInfo(const VdbInfo& info);
 std::optional<VdbInfo> decodeInfo(std::string_view bytes);

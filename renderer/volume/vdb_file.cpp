@@ -12,14 +12,13 @@
 #include "renderer/volume/grid_guess.h"
 #include "renderer/volume/vdb_damage.h"
 #include "renderer/volume/vdb_text.h"
+#include "renderer/volume/vdb_tree.h"
 
 namespace pileus::volume {
 namespace {
 
 using openvdb::Coord;
 using openvdb::CoordBBox;
-
-ivec3 toIvec(const Coord& c) { return {c.x(), c.y(), c.z()}; }
 
 /// OpenVDB multiplies row vectors from the left, glm column vectors from the right: its rows are our columns.
 dmat4 toMatrix(const openvdb::math::Transform& t) {
@@ -48,120 +47,6 @@ bool isScalar(const openvdb::GridBase& g) {
   return withScalar(g, [](const auto&) {});
 }
 
-/// Calls f(value, box) for each active tile and f(value, one voxel) for each active voxel.
-template <class Tree, class F>
-void forActive(const Tree& tree, F&& f) {
-  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
-    for (auto v = leaf->cbeginValueOn(); v; ++v) f(static_cast<double>(*v), std::uint64_t(1));
-  auto tile = tree.cbeginValueOn();
-  tile.setMaxDepth(Tree::DEPTH - 2);
-  for (; tile; ++tile) f(static_cast<double>(*tile), static_cast<std::uint64_t>(tile.getVoxelCount()));
-}
-
-struct Range {
-  std::uint64_t count = 0, nonFinite = 0;
-  double minimum = std::numeric_limits<double>::infinity(), maximum = -minimum;
-};
-
-template <class Tree>
-Range rangeOf(const Tree& tree) {
-  Range r;
-  forActive(tree, [&](double v, std::uint64_t n) {
-    r.count += n;
-    if (!std::isfinite(v))
-      r.nonFinite += n;
-    else {
-      r.minimum = std::min(r.minimum, v);
-      r.maximum = std::max(r.maximum, v);
-    }
-  });
-  if (r.minimum > r.maximum) r.minimum = r.maximum = 0;
-  return r;
-}
-
-/// Hands blocks of a tree to the brick builder.
-template <class Tree>
-class TreeBlocks {
- public:
-  TreeBlocks(const Tree& tree, ivec3 activeMin, ivec3 activeMax, ivec3 bricks)
-      : tree_(tree),
-        origin_(activeMin - 1),
-        bricks_(bricks),
-        touched_(std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z), 0) {
-    if (static_cast<double>(tree.background()) != 0.0) {
-      std::fill(touched_.begin(), touched_.end(), std::uint8_t(1));
-      return;
-    }
-    const CoordBBox active(Coord(activeMin.x, activeMin.y, activeMin.z),
-                           Coord(activeMax.x, activeMax.y, activeMax.z));
-    const auto mark = [&](CoordBBox box) {
-      box.intersect(active);
-      if (!box.empty()) markBricks(toIvec(box.min()), toIvec(box.max()));
-    };
-    for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) mark(leaf->getNodeBoundingBox());
-    auto tile = tree.cbeginValueAll();  // an inactive tile may hold a value as well
-    tile.setMaxDepth(Tree::DEPTH - 2);
-    for (; tile; ++tile) {
-      if (static_cast<double>(*tile) == 0.0) continue;
-      CoordBBox box;
-      tile.getBoundingBox(box);
-      mark(box);
-    }
-  }
-
-  bool touches(ivec3 lo) const { return touched_[flat((lo + kApron - origin_) / kBrickSize)] != 0; }
-
-  Fill fill(ivec3 lo, float* out) const {
-    openvdb::tree::ValueAccessor<const Tree, false> access(tree_);
-    constexpr int dim = Tree::LeafNodeType::DIM;
-    const ivec3 first = (lo >> 3) << 3;
-    static_assert(dim == 8);
-    constexpr int most = (kStoredSize + dim - 2) / dim + 1;
-    const typename Tree::LeafNodeType* leaves[most * most * most];
-    float tiles[most * most * most];
-    bool uniform = true;
-    for (int k = 0, i = 0; k < most; ++k)
-      for (int j = 0; j < most; ++j)
-        for (int m = 0; m < most; ++m, ++i) {
-          const Coord at(first.x + m * dim, first.y + j * dim, first.z + k * dim);
-          leaves[i] = access.probeConstLeaf(at);
-          tiles[i] = leaves[i] ? 0.0f : static_cast<float>(access.getValue(at));
-          uniform = uniform && !leaves[i] && tiles[i] == tiles[0];
-        }
-    if (uniform) {
-      out[0] = tiles[0];
-      return out[0] == 0 ? Fill::Zero : Fill::Constant;
-    }
-    for (int z = 0; z < kStoredSize; ++z)
-      for (int y = 0; y < kStoredSize; ++y)
-        for (int x = 0; x < kStoredSize; ++x) {
-          const ivec3 p = lo + ivec3(x, y, z) - first;
-          const int i = ((p.z >> 3) * most + (p.y >> 3)) * most + (p.x >> 3);
-          const auto offset = static_cast<openvdb::Index>(((p.x & 7) << 6) | ((p.y & 7) << 3) | (p.z & 7));
-          *out++ = leaves[i] ? static_cast<float>(leaves[i]->getValue(offset)) : tiles[i];
-        }
-    return Fill::Voxels;
-  }
-
- private:
-  std::size_t flat(ivec3 b) const {
-    return (std::size_t(b.z) * std::size_t(bricks_.y) + std::size_t(b.y)) * std::size_t(bricks_.x) +
-           std::size_t(b.x);
-  }
-  /// Bricks whose block (own voxels and apron: 16 b - 1 .. 16 b + 16 of the lattice) meets the box.
-  void markBricks(ivec3 lowest, ivec3 highest) {
-    const ivec3 b0 = glm::max(ivec3(0), (lowest - origin_ - 1) / kBrickSize);
-    const ivec3 b1 = glm::min(bricks_ - 1, (highest - origin_ + 1) / kBrickSize);
-    for (int z = b0.z; z <= b1.z; ++z)
-      for (int y = b0.y; y <= b1.y; ++y)
-        for (int x = b0.x; x <= b1.x; ++x) touched_[flat({x, y, z})] = 1;
-  }
-
-  const Tree& tree_;
-  ivec3 origin_, bricks_;
-  std::vector<std::uint8_t> touched_;
-};
-
 std::optional<std::string> absurdClaim(const openvdb::GridBase& g) {
   const auto lowest = g.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
   const auto highest = g.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MAX);
@@ -169,13 +54,15 @@ std::optional<std::string> absurdClaim(const openvdb::GridBase& g) {
   return absurdBounds(toIvec(Coord(lowest->value())), toIvec(Coord(highest->value())));
 }
 
+constexpr int kNeverDrawn = 9;
+
 int rankOf(const openvdb::GridBase& g) {
   const GridRole role = roleOfGrid(g.getName());
   const bool scalar = isScalar(g), floating = g.valueType() == "float" || g.valueType() == "double";
   const bool fog = g.getGridClass() == openvdb::GRID_FOG_VOLUME, named = role == GridRole::Density;
-  if (!scalar) return 9;
-  if (g.getGridClass() == openvdb::GRID_LEVEL_SET) return 8;
-  if (!g.transform().isLinear()) return 7;
+  if (!scalar) return kNeverDrawn;
+  if (!g.transform().isLinear()) return kNeverDrawn - 1;
+  if (g.getGridClass() == openvdb::GRID_LEVEL_SET) return kNeverDrawn - 2;  // fog before surfaces
   if (floating && named) return fog ? 0 : 1;
   // Heat is no density, but a file that holds nothing else shows it rather than nothing.
   if (role != GridRole::Density && role != GridRole::Unknown) return 5;
@@ -188,9 +75,64 @@ std::string undrawable(const openvdb::GridBase& g) {
   if (g.isType<openvdb::points::PointDataGrid>()) return "is a point grid; points are not drawn";
   if (!isScalar(g))
     return fmt::format("holds {} values; only scalar grids are drawn", cleanText(g.valueType()));
-  if (g.getGridClass() == openvdb::GRID_LEVEL_SET)
-    return "is a level set (distances to a surface); only fog volumes are drawn";
   return {};
+}
+
+/// Values so small beside the largest are nothing: no bounds, bricks or shadows are made for them.
+constexpr double kNothing = 5e-6;
+
+TreeValues valuesOf(const Range& r, double background, bool levelSet) {
+  if (!levelSet) return {kNothing * std::max(std::abs(r.minimum), std::abs(r.maximum)), 0};
+  // Both ends of the band are the background, except in files that were written carelessly.
+  const double band = std::isfinite(background) && background > 0 ? background : std::abs(r.minimum);
+  return {kNothing, band > 0 ? band : 1.0};
+}
+
+/// A background that counts fills all the space between what was set.
+std::optional<std::string> tooMuchBackground(double background, const TreeValues& values, ivec3 bricks) {
+  constexpr double kMostBricks = 1 << 18;  // 1024^3 voxels
+  const double all = double(bricks.x) * bricks.y * bricks.z;
+  if (!values.counts(background) || all <= kMostBricks) return std::nullopt;
+  return fmt::format(
+      "its background is {:.4g} and not 0, which would fill {:.3g} voxels between those that are set; write "
+      "it with a background of 0",
+      background, all * kBrickSize * kBrickSize * kBrickSize);
+}
+
+/// Bricks of one tree, and what is to be said of it.
+template <class Tree>
+Result<ImportedGrid> importTree(const Tree& tree, const std::string& name, const dmat4& worldFromIndex,
+                                bool levelSet, JobControl& control) {
+  const Range r = rangeOf(tree);
+  const auto background = static_cast<double>(tree.background());
+  const TreeValues values = valuesOf(r, background, levelSet);
+  std::vector<std::string> warnings;
+  const auto warn = [&](const std::string& text) {
+    warnings.push_back(fmt::format("grid '{}'{}", name, text));
+  };
+  if (r.nonFinite > 0) warn(fmt::format(": {} voxels are not finite and were taken as 0", r.nonFinite));
+  if (values.counts(background))
+    warn(fmt::format(": its background is {}; outside its active bounds it is taken as 0", background));
+  if (r.minimum < 0 && !levelSet)
+    warn(fmt::format(" has negative values (down to {:.4g}); they are drawn as empty", r.minimum));
+  const CoordBBox box = countingBounds(tree, values);
+  if (box.empty()) {
+    warn(levelSet ? " is a level set without an inside: nothing of it is drawn"
+                  : ": all of its values are 0");
+    return ImportedGrid{emptyGrid(name, worldFromIndex), std::move(warnings), {}};
+  }
+  VoxelSource source{name, worldFromIndex, toIvec(box.min()), toIvec(box.max()), {}, {}, {}};
+  PILEUS_TRY(const ivec3 bricks, latticeSize(name, source.activeMin, source.activeMax));
+  if (const auto why = tooMuchBackground(background, values, bricks))
+    return fail(Code::Input, "grid '{}': {}", name, *why);
+  // Of a level set the band is active and the inside is not: the builder counts.
+  if (!levelSet)
+    source.stats = ActiveStats{r.count, static_cast<float>(r.minimum), static_cast<float>(r.maximum)};
+  const TreeBlocks blocks(tree, values, source.activeMin, source.activeMax, bricks);
+  source.fill = [&](ivec3 lo, float* out) { return blocks.fill(lo, out); };
+  source.touches = [&](ivec3 lo) { return blocks.touches(lo); };
+  PILEUS_TRY(const BuildResult built, buildBricks(source, control, 0.4));
+  return ImportedGrid{built.grid, std::move(warnings), {}, levelSet};
 }
 
 }  // namespace
@@ -199,23 +141,50 @@ struct VdbFile::Impl {
   struct Entry {
     std::string handle;  ///< how OpenVDB addresses it
     std::string base, name;
-    openvdb::GridBase::ConstPtr metadata;
+    openvdb::GridBase::ConstPtr metadata;  ///< null: nobody here knows what it is
+    std::string strange;                   ///< then: what it says it is
+
+    int rank() const { return metadata ? rankOf(*metadata) : kNeverDrawn + 1; }
+    bool isLevelSet() const { return metadata && metadata->getGridClass() == openvdb::GRID_LEVEL_SET; }
+    std::string undrawable() const;  ///< why it is never drawn; empty: it may be
   };
   std::unique_ptr<openvdb::io::File> file;
   std::vector<Entry> entries;
 
-  void list();
+  void list(const std::vector<ListedGrid>& listed);
+  /// Warnings of grids that are of a type nobody here knows, and so were left out.
+  std::vector<std::string> strangers(const Entry& than) const;
   const Entry* choose() const;
   std::vector<std::string> others(const Entry& than) const;  ///< names of the other grids
   Result<const Entry*> find(const std::string& name) const;
   GridInfo describe(const Entry& entry) const;
 };
 
-void VdbFile::Impl::list() {
+std::string VdbFile::Impl::Entry::undrawable() const {
+  return metadata ? volume::undrawable(*metadata) : strange;
+}
+
+void VdbFile::Impl::list(const std::vector<ListedGrid>& listed) {
   std::map<std::string, std::vector<Entry>> byName;
+  const auto strangeType = [&](const std::string& handle) {
+    for (const ListedGrid& g : listed)
+      if (g.name == handle) return g.strange;
+    return std::string();
+  };
   for (auto it = file->beginName(); it != file->endName(); ++it) {
-    Entry e{it.gridName(), {}, {}, file->readGridMetadata(it.gridName())};
-    e.base = e.metadata->getName().empty() ? "unnamed" : cleanText(e.metadata->getName());
+    Entry e{it.gridName(), {}, {}, {}, {}};
+    std::string name = e.handle.substr(0, e.handle.rfind('['));
+    const std::string type = strangeType(e.handle);
+    if (!type.empty())
+      e.strange = fmt::format("is of the type {}, which is not known here", cleanText(type));
+    else
+      try {
+        e.metadata = file->readGridMetadata(e.handle);
+        name = e.metadata->getName();
+      } catch (const openvdb::LookupError& error) {  // the type of its transform
+        e.strange = fmt::format("cannot be read ({})", cleanText(error.what(), 200));
+      }
+    e.base = name.empty() ? "unnamed" : cleanText(name);
     byName[e.base].push_back(std::move(e));
   }
   for (auto& [base, group] : byName) {
@@ -233,9 +202,8 @@ void VdbFile::Impl::list() {
 }
 
 const VdbFile::Impl::Entry* VdbFile::Impl::choose() const {
-  const auto it = std::min_element(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return rankOf(*a.metadata) < rankOf(*b.metadata);
-  });
+  const auto it = std::min_element(entries.begin(), entries.end(),
+                                   [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
   return it == entries.end() ? nullptr : &*it;
 }
 
@@ -244,6 +212,14 @@ std::vector<std::string> VdbFile::Impl::others(const Entry& than) const {
   for (const Entry& e : entries)
     if (&e != &than && names.size() < 32) names.push_back(e.name);
   return names;
+}
+
+std::vector<std::string> VdbFile::Impl::strangers(const Entry& than) const {
+  std::vector<std::string> out;
+  for (const Entry& e : entries)
+    if (&e != &than && !e.strange.empty() && out.size() < 8)
+      out.push_back(fmt::format("grid '{}' {}: it is left out", e.name, e.strange));
+  return out;
 }
 
 Result<const VdbFile::Impl::Entry*> VdbFile::Impl::find(const std::string& name) const {
@@ -257,9 +233,14 @@ Result<const VdbFile::Impl::Entry*> VdbFile::Impl::find(const std::string& name)
 }
 
 GridInfo VdbFile::Impl::describe(const Entry& entry) const {
-  const openvdb::GridBase& meta = *entry.metadata;
   GridInfo g;
   g.name = entry.name;
+  g.reason = entry.undrawable();
+  if (!entry.metadata) {
+    g.gridClass = g.valueType = g.transform = "unknown";
+    return g;
+  }
+  const openvdb::GridBase& meta = *entry.metadata;
   g.gridClass = openvdb::GridBase::gridClassToString(meta.getGridClass());
   g.valueType = valueTypeOf(meta);
   g.transform = transformWords(meta.transform().mapType());
@@ -269,27 +250,30 @@ GridInfo VdbFile::Impl::describe(const Entry& entry) const {
   const auto size = meta.voxelSize();
   g.voxelSize = {size.x(), size.y(), size.z()};
   g.scalar = isScalar(meta);
-  g.reason = undrawable(meta);
   if (g.reason.empty() && !affine)
     g.reason = "its transform is not affine (a frustum); resample it to a uniform grid";
 
   const auto grid = file->readGrid(entry.handle);
-  const CoordBBox box = grid->evalActiveVoxelBoundingBox();
+  CoordBBox box = grid->evalActiveVoxelBoundingBox();
   g.activeVoxels = grid->activeVoxelCount();
   g.memoryBytes = grid->memUsage();
+  bool counts = !g.scalar;
   withScalar(*grid, [&](const auto& typed) {
     const Range r = rangeOf(typed.tree());
     g.nonFinite = r.nonFinite;
     g.minimum = r.minimum;
     g.maximum = r.maximum;
     g.background = static_cast<double>(typed.background());
+    const CoordBBox counting = countingBounds(typed.tree(), valuesOf(r, g.background, entry.isLevelSet()));
+    counts = !counting.empty();
+    if (counts) box = counting;
   });
   g.hasBounds = g.activeVoxels > 0 && !box.empty();
   if (g.hasBounds) {
     g.indexMin = toIvec(box.min());
     g.indexMax = toIvec(box.max());
     if (affine) g.worldBounds = transformed({dvec3(g.indexMin), dvec3(g.indexMax)}, g.worldFromIndex);
-    if (auto lattice = latticeSize(g.name, g.indexMin, g.indexMax); g.reason.empty() && !lattice) {
+    if (auto lattice = latticeSize(g.name, g.indexMin, g.indexMax); counts && g.reason.empty() && !lattice) {
       g.reason = lattice.error().message;
       g.damaged = true;
     }
@@ -311,9 +295,13 @@ Result<std::unique_ptr<VdbFile>> VdbFile::open(const std::filesystem::path& path
   std::unique_ptr<VdbFile> out(new VdbFile);
   out->impl_->file = std::make_unique<openvdb::io::File>(path.string());
   try {
-    if (const std::string missing = whatIsMissing(path); !missing.empty()) return Error{Code::Input, missing};
+    PILEUS_TRY(const std::vector<ListedGrid> listed, listGrids(path));
     out->impl_->file->open(false);  // no delayed loading
-    out->impl_->list();
+    out->impl_->list(listed);
+  } catch (
+      const openvdb::LookupError& e) {  // of a file that was written to a stream, where none can be skipped
+    return fail(Code::Input, "holds a grid that is not known here, and so cannot be read ({})",
+                cleanText(e.what(), 300));
   } catch (const openvdb::Exception& e) {
     return fail(Code::Input, "is damaged or truncated ({})", cleanText(e.what(), 300));
   }
@@ -328,63 +316,45 @@ Result<VdbInfo> VdbFile::info(JobControl& control) {
       info.metadata.emplace_back(cleanText(it->first), cleanText(it->second->str(), 400));
   const auto* chosen = impl_->choose();
   for (const auto& entry : impl_->entries) {
-    if (&entry == chosen && rankOf(*entry.metadata) < 7) info.chosen = static_cast<int>(info.grids.size());
+    if (&entry == chosen && entry.rank() < kNeverDrawn - 1) info.chosen = static_cast<int>(info.grids.size());
     info.grids.push_back(impl_->describe(entry));
     control.progress(double(info.grids.size()) / double(impl_->entries.size()));
   }
   return info;
 }
 
-Result<ImportedGrid> VdbFile::import(const std::string& gridName, JobControl& control) {
+Result<ImportedGrid> VdbFile::import(const std::string& gridName, LevelSets levelSets, JobControl& control) {
   const Impl::Entry* entry = impl_->choose();
   if (!entry) return ImportedGrid{emptyGrid("empty"), {"the file holds no grids"}, {}};
   if (!gridName.empty()) {
     PILEUS_TRY(entry, impl_->find(gridName));
   }
-  const openvdb::GridBase& meta = *entry->metadata;
+  std::vector<std::string> warnings = impl_->strangers(*entry);
   const auto empty = [&](std::string_view why) {
-    return ImportedGrid{
-        emptyGrid(entry->name), {fmt::format("grid '{}' {}", entry->name, why)}, impl_->others(*entry)};
+    warnings.insert(warnings.begin(), fmt::format("grid '{}' {}", entry->name, why));
+    return ImportedGrid{emptyGrid(entry->name), warnings, impl_->others(*entry)};
   };
-  if (const std::string why = undrawable(meta); !why.empty()) return empty(why);
+  if (const std::string why = entry->undrawable(); !why.empty()) return empty(why);
+  const openvdb::GridBase& meta = *entry->metadata;
+  if (entry->isLevelSet() && levelSets == LevelSets::Ignore)
+    return empty("is a level set (distances to a surface), which this node ignores");
   if (!meta.transform().isLinear())
     return fail(Code::Input, "grid '{}': its transform is not affine ({}); resample it to a uniform grid",
                 entry->name, transformWords(meta.transform().mapType()));
   const auto grid = impl_->file->readGrid(entry->handle);
   control.progress(0.3);
-  const CoordBBox box = grid->evalActiveVoxelBoundingBox();
-  if (grid->activeVoxelCount() == 0 || box.empty()) {
+  if (grid->activeVoxelCount() == 0 || grid->evalActiveVoxelBoundingBox().empty()) {
     if (auto claim = absurdClaim(*grid)) return fail(Code::Input, "grid '{}': {}", entry->name, *claim);
     return empty("holds no active voxels");
   }
-  VoxelSource source{entry->name, toMatrix(meta.transform()), toIvec(box.min()), toIvec(box.max()), {}, {},
-                     {}};
-  PILEUS_TRY(const ivec3 bricks, latticeSize(source.name, source.activeMin, source.activeMax));
-  std::vector<std::string> warnings;
-  Result<BuildResult> built = fail(Code::Internal, "no voxels");
+  Result<ImportedGrid> out = fail(Code::Internal, "no voxels");
   withScalar(*grid, [&](const auto& typed) {
-    const auto& tree = typed.tree();
-    const Range r = rangeOf(tree);
-    source.stats = ActiveStats{r.count, static_cast<float>(r.minimum), static_cast<float>(r.maximum)};
-    const TreeBlocks blocks(tree, source.activeMin, source.activeMax, bricks);
-    source.fill = [&](ivec3 lo, float* out) { return blocks.fill(lo, out); };
-    source.touches = [&](ivec3 lo) { return blocks.touches(lo); };
-    built = buildBricks(source, control, 0.4);
-    if (r.nonFinite > 0)
-      warnings.push_back(
-          fmt::format("grid '{}': {} voxels are not finite and were taken as 0", source.name, r.nonFinite));
-    if (static_cast<double>(tree.background()) != 0.0)
-      warnings.push_back(
-          fmt::format("grid '{}': its background is {}; outside its active bounds it is taken as 0",
-                      source.name, static_cast<double>(tree.background())));
-    if (r.minimum < 0)
-      warnings.push_back(fmt::format(
-          "grid '{}' has negative values (down to {:.4g}); they are drawn as empty", source.name, r.minimum));
-    if (r.minimum == 0 && r.maximum == 0)
-      warnings.push_back(fmt::format("grid '{}': all of its values are 0", source.name));
+    out = importTree(typed.tree(), entry->name, toMatrix(meta.transform()), entry->isLevelSet(), control);
   });
-  if (!built) return built.error();
-  return ImportedGrid{built->grid, std::move(warnings), impl_->others(*entry)};
+  if (!out) return out.error();
+  out->warnings.insert(out->warnings.end(), warnings.begin(), warnings.end());
+  out->others = impl_->others(*entry);
+  return out;
 }
 
 }  // namespace pileus::volume

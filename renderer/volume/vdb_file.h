@@ -1,6 +1,6 @@
 #pragma once
-// An open .vdb file, parsed in this process: for the import child only (see vdb_import.h). With
-// vdb_damage, the one user of OpenVDB.
+// An open .vdb file, parsed in this process: for the import child only (see vdb_import.h). With vdb_damage
+// and vdb_tree, the one user of OpenVDB.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -19,7 +19,7 @@ class VdbFile {
   /// Reads every grid.
   Result<VdbInfo> info(JobControl& control);
   /// As importVdb.
-  Result<ImportedGrid> import(const std::string& gridName, JobControl& control);
+  Result<ImportedGrid> import(const std::string& gridName, LevelSets levelSets, JobControl& control);
 
  private:
   VdbFile();

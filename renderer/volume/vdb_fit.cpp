@@ -30,9 +30,10 @@ bool measure(VdbFit& out, const ImportedGrid& imported) {
   const BrickGrid& grid = *imported.grid;
   if (grid.empty()) return false;
   out.voxelSize = out.bounds.empty() ? grid.voxelSize : std::min(out.voxelSize, grid.voxelSize);
-  const dvec3 extent = grid.indexBounds.size();
+  const Box3 bulk = bulkBounds(grid);
+  const dvec3 extent = bulk.size();
   out.longest = std::max({out.longest, extent.x, extent.y, extent.z});
-  out.bounds.extend(transformed(grid.indexBounds, grid.worldFromIndex));
+  out.bounds.extend(transformed(bulk, grid.worldFromIndex));
   return true;
 }
 

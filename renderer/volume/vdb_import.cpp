@@ -1,7 +1,9 @@
 #include "renderer/volume/vdb_import.h"
 
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstring>
@@ -14,6 +16,7 @@
 #include "renderer/volume/child_process.h"
 #include "renderer/volume/file_kind.h"
 #include "renderer/volume/vdb_child.h"
+#include "renderer/volume/vdb_damage.h"
 
 namespace fs = std::filesystem;
 
@@ -27,6 +30,14 @@ Error about(const fs::path& path, Code code, std::string_view reason) {
   std::string message = fmt::format("{}: {}", path.string(), reason);
   if (message.size() > kMaxMessage) message = message.substr(0, kMaxMessage - 3) + "...";
   return Error{code, std::move(message)};
+}
+
+/// Behind what is wrong with a file: perhaps its format is one that this build has never seen.
+std::string newerFormat(const fs::path& path) {
+  const int format = vdbFormatOf(path);
+  if (format <= newestVdbFormat()) return {};
+  return fmt::format("; it is of file format {}, this Pileus knows formats up to {}", format,
+                     newestVdbFormat());
 }
 
 /// Printable part of what a library wrote, on one line.
@@ -45,10 +56,36 @@ struct Leftovers {
   }
 };
 
-/// Runs the child to its end and returns the content of its Info or Done message. `store`: what it writes.
+/// A file without a name, in memory: where a store goes that finds no room on a disk.
+class MemoryFile {
+ public:
+  MemoryFile() = default;
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() {
+    if (file_ >= 0) ::close(file_);
+  }
+  bool append(std::string_view bytes) {
+    if (file_ < 0) file_ = ::memfd_create("bricks", MFD_CLOEXEC);
+    return file_ >= 0 && writeAll(file_, bytes);
+  }
+  bool holdsAny() const { return file_ >= 0; }
+  fs::path path() const { return fmt::format("/proc/self/fd/{}", file_); }
+
+ private:
+  int file_ = -1;
+};
+
+/// What a child works on: for importing, the store it writes and where its bytes go instead.
+struct ChildWork {
+  fs::path store;
+  MemoryFile* instead = nullptr;
+};
+
+/// Runs the child to its end and returns the content of its Info or Done message.
 Result<std::string> runChild(const fs::path& path, std::vector<std::string> arguments, JobControl& control,
-                             const ImportLimits& limits, const fs::path& store = {}) {
-  Leftovers leftovers{store, 0};  // cleared after the child's own end
+                             const ImportLimits& limits, const ChildWork& into = {}) {
+  Leftovers leftovers{into.store, 0};  // cleared after the child's own end
   arguments.push_back(std::to_string(limits.memoryBytes));
   arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
   auto started =
@@ -69,7 +106,12 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
       if (!*message) break;
       if ((*message)->kind == MessageKind::Progress)
         control.progress(ByteReader((*message)->content).take<double>());
-      else
+      else if ((*message)->kind == MessageKind::Store) {
+        if (!into.instead || !into.instead->append((*message)->content))
+          return about(path, Code::Internal,
+                       fmt::format("its bricks fit neither into the cache nor into memory ({})",
+                                   std::strerror(errno)));
+      } else
         answer = std::move(**message);
     }
   }
@@ -77,15 +119,16 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
   if (answer && answer->kind == MessageKind::Error) {
     ByteReader r(answer->content);
     const auto code = r.take<std::int32_t>();
-    return about(path, code >= 1 && code <= 6 ? static_cast<Code>(code) : Code::Internal, r.takeText());
+    return about(path, code >= 1 && code <= 6 ? static_cast<Code>(code) : Code::Internal,
+                 r.takeText() + newerFormat(path));
   }
   if (WIFSIGNALED(status)) {
     const int s = WTERMSIG(status);
     if (s == SIGXCPU)
       return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
-    return about(
-        path, Code::Input,
-        fmt::format("the file is damaged: its reader was stopped by signal {} ({})", s, ::strsignal(s)));
+    return about(path, Code::Input,
+                 fmt::format("the file is damaged: its reader was stopped by signal {} ({}){}", s,
+                             ::strsignal(s), newerFormat(path)));
   }
   if (answer && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(answer->content);
   return about(path, Code::Internal,
@@ -94,8 +137,13 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
 
 /// What a store keeps beside the grid: warnings, and after a mark the names of the file's other grids.
 ImportedGrid fromStore(GridPtr grid, std::vector<std::string> notes) {
-  ImportedGrid out{std::move(grid), {}, {}};
+  ImportedGrid out;
+  out.grid = std::move(grid);
   for (std::string& note : notes) {
+    if (note == kWasLevelSet) {
+      out.levelSet = true;
+      continue;
+    }
     if (note.starts_with(kOtherGrid))
       out.others.push_back(note.substr(kOtherGrid.size()));
     else
@@ -123,9 +171,12 @@ Result<VdbInfo> inspectVdb(const fs::path& path, JobControl& control, const Impo
 }
 
 Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName, JobControl& control,
-                               const ImportLimits& limits) {
+                               const ImportLimits& limits, LevelSets levelSets) {
   if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
-  const Key key = Hasher().add(fileStamp(path)).add(gridName).add(kStoreVersion).add("vdb and others").key();
+  static constexpr std::string_view kReading = "vdb 3";  // another, once other bricks are made of a file
+  const std::string surfaces(enumId(levelSets));
+  const Key key =
+      Hasher().add(fileStamp(path)).add(gridName).add(surfaces).add(kStoreVersion).add(kReading).key();
   const fs::path folder = storeFolder(), store = folder / (key.hex() + ".bricks");
   std::error_code ec;
   if (fs::exists(store, ec)) {
@@ -137,14 +188,20 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
                 stored.error().message);
     }
   }
-  PILEUS_CHECK(
-      runChild(path, {"import", "grid", path.string(), gridName, store.string()}, control, limits, store));
-  auto stored = readStore(store);
+  MemoryFile memory;
+  PILEUS_TRY(const std::string unwritten,
+             runChild(path, {"import", "grid", path.string(), gridName, store.string(), surfaces}, control,
+                      limits, {store, &memory}));
+  auto stored = readStore(memory.holdsAny() ? memory.path() : store);
   if (!stored)
     return about(path, Code::Internal,
                  fmt::format("its bricks cannot be read back: {}", stored.error().message));
-  pruneStores(folder, kCacheBytes);
-  return fromStore(stored->grid, std::move(stored->notes));
+  ImportedGrid out = fromStore(stored->grid, std::move(stored->notes));
+  if (memory.holdsAny())
+    out.warnings.push_back(fmt::format("the file is read without the cache, each time anew: {}", unwritten));
+  else
+    pruneStores(folder, kCacheBytes);
+  return out;
 }
 
 }  // namespace pileus::volume

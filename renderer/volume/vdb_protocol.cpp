@@ -59,7 +59,7 @@ Result<std::optional<Message>> takeMessage(std::string& buffer) {
   if (buffer.size() < 5) return std::optional<Message>();
   std::uint32_t size;
   std::memcpy(&size, buffer.data() + 1, sizeof size);
-  if (std::string_view("PEID").find(buffer[0]) == std::string_view::npos || size > kMaxMessage)
+  if (std::string_view("PEISD").find(buffer[0]) == std::string_view::npos || size > kMaxMessage)
     return fail(Code::Internal, "the importer said something that is no message");
   if (buffer.size() < 5 + std::size_t(size)) return std::optional<Message>();
   Message m{static_cast<MessageKind>(buffer[0]), buffer.substr(5, size)};

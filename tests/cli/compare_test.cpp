@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 #include "renderer/image/exr.h"
 #include "tests/support/support.h"
@@ -11,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path writePicture(const std::string& name, ivec2 size, float value) {
+fs::path writePicture(const std::string& name, ivec2 size, float value,
+                      image::Compression compression = image::Compression::Zip) {
   image::Image picture;
   picture.size = size;
   image::Layer layer{"", 4, {}};
@@ -19,7 +21,7 @@ fs::path writePicture(const std::string& name, ivec2 size, float value) {
     layer.pixels.insert(layer.pixels.end(), {value, value, value, 1.0f});
   picture.layers = {layer};
   const fs::path path = test::scratchFolder() / name;
-  const auto written = image::writeExr(path, picture, {image::PixelType::Float, image::Compression::Zip});
+  const auto written = image::writeExr(path, picture, {image::PixelType::Float, compression});
   EXPECT_TRUE(written) << written.error().message;
   return path;
 }
@@ -42,6 +44,25 @@ TEST(Compare, TheBoundDecidesTheExitCode) {
   EXPECT_NE(exceeded.out.find("relMSE 0.240385"), std::string::npos);
   EXPECT_EQ(exceeded.err, "pileus: relMSE 0.240385 exceeds the bound 0.24\n");
   EXPECT_EQ(test::pileus({"compare", a.string(), a.string(), "--max-relmse", "0"}).exitCode, 0);
+}
+
+TEST(Compare, ABoundHoldsForNoPictureWithNaNs) {
+  // As other programs write them: in a file without compression the last value of the last row is its end.
+  const fs::path path = writePicture("nan.exr", {8, 6}, 0.5f, image::Compression::None);
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(-4, std::ios::end);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    file.write(reinterpret_cast<const char*>(&nan), sizeof nan);
+  }
+  const auto read = image::readExr(path);
+  ASSERT_TRUE(read) << read.error().message;
+  const auto bounded = test::pileus({"compare", path.string(), path.string(), "--max-relmse", "1"});
+  EXPECT_EQ(bounded.exitCode, 6) << bounded.out << bounded.err;
+  EXPECT_NE(bounded.err.find("1 pixel is not finite"), std::string::npos) << bounded.err;
+  const auto unbounded = test::pileus({"compare", path.string(), path.string()});
+  EXPECT_EQ(unbounded.exitCode, 0) << unbounded.err;
+  EXPECT_NE(unbounded.out.find("1 pixel is not finite"), std::string::npos) << unbounded.out;
 }
 
 TEST(Compare, UnreadableOrMismatchedPicturesExitWithThree) {

@@ -80,11 +80,11 @@ TEST(Fire, LayersOfAFileAddUp) {
       if (l.name == name) return &l;
     return nullptr;
   };
-  const image::Layer *beauty = layer(""), *light = layer("light1"), *glow = layer("emission");
+  const image::Layer *beauty = layer(""), *light = layer("Sun"), *glow = layer("emission");
   std::string names;
   for (const image::Layer& l : picture->layers) names += "[" + l.name + "]";
   ASSERT_TRUE(beauty && light && glow && layer("depth.Z")) << names;
-  EXPECT_EQ(layer("light2"), nullptr);
+  EXPECT_EQ(layer("light1"), nullptr);
   const auto channels = std::size_t(light->channels);
   float lit = 0, bright = 0;
   for (std::size_t i = 0; i < std::size_t(48 * 27); ++i)
@@ -95,6 +95,51 @@ TEST(Fire, LayersOfAFileAddUp) {
     }
   EXPECT_GT(lit, 0.05f);
   EXPECT_GT(bright, 0.3f);
+}
+
+TEST(LightLayers, AreOneForEachLightNodeByItsName) {
+  // A soft sun through a metric, within a group; a lamp through two shadows; two names that look alike.
+  const fs::path folder = test::scratchFolder();
+  const char* graph = R"({ "pileus": 2, "settings": { "size": [32, 18] }, "nodes": {
+    "Smoke": { "type": "volume.box", "at": [0, 0] },
+    "Sky": { "type": "group", "at": [0, 0], "graph": { "nodes": {
+        "Soft Sun": { "type": "light.sun", "at": [0, 0], "params": { "angle": 4, "disc_samples": 3 } },
+        "light": { "type": "group.output", "at": [0, 0] } },
+      "links": ["Soft Sun.light -> light.in"] } },
+    "Lamp": { "type": "light.point", "at": [0, 0], "params": { "position": [2, 1, 2] } },
+    "Lamp?": { "type": "light.point", "at": [0, 0], "params": { "position": [-2, 1, 2] } },
+    "Dot": { "type": "dot", "at": [0, 0] },
+    "Metric": { "type": "shadow.pseudometric", "at": [0, 0], "params": { "resolution": 64 } },
+    "Map": { "type": "shadow.extinction", "at": [0, 0] },
+    "March": { "type": "shadow.ray_march", "at": [0, 0] },
+    "Render": { "type": "render.volume", "at": [0, 0], "params": { "samples": 1 } },
+    "Out": { "type": "output.exr", "at": [0, 0], "params": { "type": "float", "lights": true } } },
+  "links": [ "Smoke.volume -> Metric.volumes", "Sky.light -> Metric.light", "Metric.metric -> Map.metric",
+             "Smoke.volume -> March.volumes", "Lamp.light -> March.light",
+             "Smoke.volume -> Render.volumes", "Lamp?.light -> Dot.in", "Map.light -> Render.lights",
+             "Dot.out -> Render.lights", "March.light -> Render.lights", "Lamp.light -> Render.lights",
+             "Render.image -> Out.image" ] })";
+  const auto r = test::pileus({"render", write(folder, "a.json", graph), "-o", folder / "a.exr"});
+  ASSERT_EQ(r.exitCode, 0) << r.err;
+  const auto picture = image::readExr(folder / "a.exr");
+  ASSERT_TRUE(picture) << picture.error().message;
+  std::string names;
+  for (const image::Layer& l : picture->layers) names += "[" + l.name + "]";
+  ASSERT_EQ(picture->layers.size(), 4u) << names;
+  const image::Layer &beauty = picture->layers[0], *sun = picture->layer("Sky_Soft_Sun"),
+                     *left = picture->layer("Lamp"), *right = picture->layer("Lamp_2");
+  ASSERT_TRUE(sun && left && right) << names;
+  float lit = 0;
+  for (std::size_t i = 0; i < beauty.pixels.size(); ++i) {
+    if (i % 4 == 3) {
+      EXPECT_EQ(sun->pixels[i], beauty.pixels[i]);
+      continue;
+    }
+    const float sum = sun->pixels[i] + left->pixels[i] + right->pixels[i];
+    ASSERT_NEAR(beauty.pixels[i], sum, 1e-5f + 1e-4f * sum);
+    lit = std::max(lit, std::min({sun->pixels[i], left->pixels[i], right->pixels[i]}));
+  }
+  EXPECT_GT(lit, 0.001f);
 }
 
 }  // namespace

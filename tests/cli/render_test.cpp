@@ -3,10 +3,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "editor/cli/render.h"
+#include "editor/cli/render_target.h"
 #include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 #include "renderer/image/exr.h"
+#include "renderer/image/png.h"
 #include "tests/support/support.h"
 
 namespace pileus {
@@ -84,6 +85,18 @@ TEST(Render, SetOverridesParameters) {
   expectFails(test::pileus({"render", file, "-o", folder / "c.exr", "--set", "nonsense"}), 2, {"nonsense"});
 }
 
+TEST(Render, SetOfALinkedParameterNamesTheLink) {
+  const fs::path folder = test::scratchFolder(),
+                 file = write(folder, "a.json",
+                              graph(R"("size": [16, 9])", "",
+                                    R"(, "N": { "type": "value.number", "at": [0, 0],
+                                                "params": { "value": 5 } })",
+                                    R"(, "N.value -> Sun.irradiance")"));
+  expectFails(test::pileus({"render", file, "-o", folder / "a.exr", "--set", "Sun.irradiance=20"}), 2,
+              {"Sun.irradiance", "N.value -> Sun.irradiance"});
+  EXPECT_EQ(test::pileus({"render", file, "-o", folder / "a.exr", "--set", "N.value=20"}).exitCode, 0);
+}
+
 TEST(Render, Sequences) {
   const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph());
   expectFails(test::pileus({"render", file, "-o", folder / "a.exr", "--frames", "1-3"}), 2, {"token"});
@@ -96,9 +109,14 @@ TEST(Render, Sequences) {
   EXPECT_EQ(again.exitCode, 0);
   EXPECT_NE(again.err.find("skipped"), std::string::npos);
   EXPECT_TRUE(image::readExr(folder / "a.0003.exr"));
-  EXPECT_EQ(cli::framePath("x.%04d.exr", 7), "x.0007.exr");
-  EXPECT_EQ(cli::framePath("x.$F.exr", 7), "x.7.exr");
-  EXPECT_EQ(cli::framePath("x#.exr", 12), "x12.exr");
+  expectFails(test::pileus({"render", file, "-o", folder / "b.####.exr", "--frames", "1-1000001"}), 2,
+              {"1000001 frames", "at most 1000000"});
+  expectFails(test::pileus({"render", file, "-o", folder / "b.####.exr", "--frames=-2000000000-2000000000"}),
+              2, {"4000000001 frames"});
+  EXPECT_TRUE(test::pileus({"render", file, "-o", folder / "b.####.exr", "--frames", "2147483646-2147483647",
+                            "--size", "8x8"})
+                  .exitCode == 0)
+      << "the last frame there can be";
 }
 
 TEST(Render, BadArguments) {
@@ -178,6 +196,14 @@ TEST(Render, BadVolumes) {
         {"render", write(folder, name + ".json", vdbGraph(volume)), "-o", folder / (name + ".exr")});
   };
   expectFails(render("nowhere.vdb"), 3, {"nowhere.vdb", "Smoke"});
+  // The second frame's file is missing.
+  std::string keyed = vdbGraph("");
+  const std::string constant = R"("file": "")";
+  keyed.replace(keyed.find(constant), constant.size(),
+                R"("file": {"keys": [[1, "gone.0001.vdb", "constant"], [2, "gone.0002.vdb", "constant"]]})");
+  expectFails(test::pileus({"render", write(folder, "keyed.json", keyed), "-o", folder / "keyed.#.exr",
+                            "--frames", "2-3"}),
+              3, {"frame 2: ", "Smoke", "gone.0002.vdb"});
   expectFails(render("words.vdb"), 3, {"words.vdb", "Smoke"});
   expectFails(render(""), 3, {"Smoke.file"});
 }
@@ -216,6 +242,113 @@ TEST(Render, GpuMemoryBudget) {
   expectFails(test::pileus({"render", file, "-o", folder / "b.exr", "--gpu-memory", "3", "--set",
                             "Extinction.resolution=4096"}),
               4, {"MiB"});
+}
+
+TEST(Render, OneFileAtATime) {
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph());
+  expectFails(test::pileus({"render", file, folder / "b.json", "-o", folder / "a.exr"}), 2,
+              {"b.json", "one file too many"});
+  EXPECT_FALSE(fs::exists(folder / "a.exr"));
+}
+
+TEST(Render, AMisspeltCommandIsNamed) {
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph());
+  expectFails(test::pileus({"rendr", file}), 2, {"no command 'rendr'", "did you mean render?"});
+  expectFails(test::pileus({"cehck", file}), 2, {"did you mean check?"});
+  expectFails(test::pileus({"marmalade"}), 2, {"no command 'marmalade' and no such file"});
+}
+
+TEST(Render, AVolumeInPlaceOfAGraph) {
+  using namespace std::string_view_literals;
+  const fs::path folder = test::scratchFolder();
+  const fs::path file = write(folder, "b.vdb", std::string(" BDV\0\0\0\0\xe0\0\0\0"sv));
+  expectFails(test::pileus({"render", file, "-o", folder / "a.exr"}), 3,
+              {"b.vdb: a volume, not a graph: open it", "make a scene of it with"});
+}
+
+TEST(Render, StandardOutputPipesAndLinks) {
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph(R"("size": [32, 18])"));
+  const auto r = test::pileus({"render", file, "-o", "-"});
+  ASSERT_EQ(r.exitCode, 0) << r.err;
+  EXPECT_NE(r.err.find("standard output"), std::string::npos) << "progress is on standard error";
+  write(folder, "piped.exr", r.out);
+  const auto picture = image::readExr(folder / "piped.exr");
+  ASSERT_TRUE(picture) << picture.error().message;
+  EXPECT_EQ(picture->size, ivec2(32, 18));
+  expectFails(test::pileus({"render", file, "-o", "-", "--frames", "1-2"}), 2,
+              {"standard output", "2 frames"});
+  expectFails(test::pileus({"render", file, "-o", "-", "--png"}), 2, {"--png"});
+  // The program's own standard output by its name: a pipe, which nothing can take the place of.
+  const auto pipe = test::pileus({"render", file, "-o", "/proc/self/fd/1"});
+  ASSERT_EQ(pipe.exitCode, 0) << pipe.err;
+  EXPECT_EQ(pipe.out.substr(0, 4), "\x76\x2f\x31\x01");
+  // A link to what is not there yet.
+  fs::create_directory(folder / "out");
+  fs::create_symlink("out/real.exr", folder / "link.exr");
+  ASSERT_EQ(test::pileus({"render", file, "-o", folder / "link.exr"}).exitCode, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.exr"));
+  EXPECT_TRUE(image::readExr(folder / "out" / "real.exr"));
+}
+
+TEST(Render, APngIsThePictureOfTheView) {
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", graph(R"("size": [32, 18])"));
+  ASSERT_EQ(test::pileus({"render", file, "-o", folder / "a.png"}).exitCode, 0);
+  ASSERT_EQ(test::pileus({"render", file, "-o", folder / "b.exr", "--png"}).exitCode, 0);
+  EXPECT_FALSE(fs::exists(folder / "a.exr"));
+  const auto picture = image::decodePng(*readFile(folder / "a.png"));
+  ASSERT_TRUE(picture) << picture.error().message;
+  EXPECT_EQ(picture->size, ivec2(32, 18));
+  EXPECT_EQ(*readFile(folder / "a.png"), *readFile(folder / "b.png"));
+  for (const char* name : {"a.jpg", "a.tif", "a"})
+    expectFails(test::pileus({"render", file, "-o", folder / name}), 2, {name, ".exr"});
+  // Frames that are there, whole, are not rendered again.
+  const std::vector<std::string> sequence{"render", file, "-o", folder / "s.#.png", "--frames", "1-2"};
+  ASSERT_EQ(test::pileus(sequence).exitCode, 0);
+  write(folder, "s.2.png", "cut off");
+  const auto again = test::pileus(sequence);
+  ASSERT_EQ(again.exitCode, 0) << again.err;
+  EXPECT_NE(again.err.find("frame 1: "), std::string::npos);
+  EXPECT_TRUE(image::decodePng(*readFile(folder / "s.2.png")));
+}
+
+TEST(Render, WhatAFileSaysOfItsOwnTargetIsTheFilesFault) {
+  const fs::path folder = test::scratchFolder();
+  const auto with = [&](const std::string& target) {
+    return write(folder, "a.json",
+                 graph(R"("size": [16, 9])", "",
+                       R"(, "Still": { "type": "output.exr", "at": [0, 0], "params": { "file": ")" + target +
+                           R"(" } })",
+                       R"(, "Render.image -> Still.image")"));
+  };
+  expectFails(test::pileus({"render", with("x_%04d#.exr")}), 3, {"Still.file", "'%04d'", "'#'"});
+  expectFails(test::pileus({"render", with("x.jpg")}), 3, {"Still.file", "x.jpg"});
+}
+
+TEST(FramePattern, TheLastRunOfOneKindIsTheFrame) {
+  const auto path = [](const std::string& out) {
+    const auto pattern = cli::framePattern(out);
+    return pattern ? pattern->path(7) : "error: " + pattern.error().message;
+  };
+  EXPECT_EQ(path("x.%04d.exr"), "x.0007.exr");
+  EXPECT_EQ(path("x.%d.exr"), "x.7.exr");
+  EXPECT_EQ(path("x.$F.exr"), "x.7.exr");
+  EXPECT_EQ(path("x.$F4.exr"), "x.0007.exr");
+  EXPECT_EQ(path("x#.exr"), "x7.exr");
+  EXPECT_EQ(path("take#2_####.exr"), "take#2_0007.exr");
+  EXPECT_EQ(path("a_####_b_####.exr"), "a_####_b_0007.exr");
+  EXPECT_EQ(path("a_%02d_%04d.exr"), "a_%02d_0007.exr");
+  EXPECT_EQ(path("100%done_####.exr"), "100%done_0007.exr");
+  EXPECT_EQ(path("$Fog_##.exr"), "$Fog_07.exr");
+  EXPECT_EQ(path("shot#2/%04d/still.exr"), "shot#2/%04d/still.exr") << "folders have no frame";
+  EXPECT_FALSE(cli::framePattern("100%done.exr")->hasFrame());
+  EXPECT_EQ(cli::framePattern("x.####.exr")->path(-7), "x.-007.exr");
+  for (const char* two : {"x_%04d#.exr", "x_$F_##.exr", "x_$F4_%03d.exr"}) {
+    const auto pattern = cli::framePattern(two);
+    ASSERT_FALSE(pattern) << two;
+    EXPECT_EQ(pattern.error().code, Code::Arguments);
+  }
+  EXPECT_EQ(path("x_%04d#.exr"),
+            "error: x_%04d#.exr: both '#' and '%04d' could be the frame; use one of them");
 }
 
 TEST(Render, DegenerateScenesStayFinite) {

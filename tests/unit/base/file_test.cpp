@@ -1,6 +1,7 @@
 // Where files are put when there is no home, and what may stand in their way there.
 #include "renderer/base/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "tests/support/support.h"
@@ -81,6 +83,70 @@ TEST(WriteFile, ATemporaryThatIsThereAlreadyIsNotFollowed) {
   EXPECT_EQ(*readFile(target), "content");
   EXPECT_FALSE(fs::is_symlink(target));
   EXPECT_EQ(*readFile(victim), "untouched");
+}
+
+TEST(WriteFile, KeepsPermissionsWhateverTheMask) {
+  const fs::path target = test::scratchFolder() / "graph.json";
+  std::ofstream(target) << "old";
+  ASSERT_EQ(::chmod(target.c_str(), 0664), 0);
+  const mode_t mask = ::umask(077);
+  const auto written = writeFileAtomic(target, "new");
+  ::umask(mask);
+  ASSERT_TRUE(written) << written.error().message;
+  EXPECT_EQ(*readFile(target), "new");
+  EXPECT_EQ(modeOf(target) & 0777, 0664u);
+}
+
+TEST(WriteFile, AReadOnlyFileIsNotReplaced) {
+  const fs::path target = test::scratchFolder() / "published.json";
+  std::ofstream(target) << "published";
+  ASSERT_EQ(::chmod(target.c_str(), 0444), 0);
+  const auto written = writeFileAtomic(target, "new");
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("published.json: cannot be written (it is read-only)"),
+            std::string::npos)
+      << written.error().message;
+  EXPECT_EQ(*readFile(target), "published");
+}
+
+TEST(WriteFile, ALinkStaysALinkAlsoToWhatIsNotThereYet) {
+  const fs::path folder = test::scratchFolder(), link = folder / "latest.json";
+  fs::create_directory(folder / "versions");
+  fs::create_symlink("versions/next.json", folder / "next");
+  fs::create_symlink("next", link);
+  for (const char* content : {"first", "second"}) {
+    ASSERT_TRUE(writeFileAtomic(link, content));
+    EXPECT_TRUE(fs::is_symlink(link) && fs::is_symlink(folder / "next"));
+    EXPECT_TRUE(fs::is_regular_file(folder / "versions" / "next.json"));
+    EXPECT_EQ(*readFile(link), content);
+  }
+}
+
+TEST(WriteFile, PipesAndDevicesAreWrittenTo) {
+  const fs::path folder = test::scratchFolder(), pipe = folder / "pipe", link = folder / "link";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink("pipe", link);
+  const std::string content(100000, 'x');  // more than a pipe holds
+  for (const fs::path& target : {pipe, link}) {
+    std::string read;
+    std::thread reader([&] { read = readFile(pipe).value(); });
+    const auto written = writeFileAtomic(target, content);
+    reader.join();
+    ASSERT_TRUE(written) << written.error().message;
+    EXPECT_EQ(read, content);
+    EXPECT_TRUE(S_ISFIFO(modeOf(pipe)) && fs::is_symlink(link));
+  }
+  // A terminal stands for devices: nobody can put a file in its place, should this fail.
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(::grantpt(terminal), 0);
+  ASSERT_EQ(::unlockpt(terminal), 0);
+  const auto written = writeFileAtomic(::ptsname(terminal), "hello");
+  EXPECT_TRUE(written) << written.error().message;
+  char said[5] = {};
+  EXPECT_EQ(::read(terminal, said, sizeof said), 5);
+  EXPECT_EQ(std::string_view(said, sizeof said), "hello");
+  ::close(terminal);
 }
 
 }  // namespace

@@ -171,12 +171,74 @@ TEST(Exr, HalfClampsToItsLargestValue) {
   image.size = {4, 1};
   image.layers = {{"", 1, {1e9f, -1e9f, 65504.0f, 65519.9f}}};
   const fs::path path = test::scratchFolder() / "clamp.exr";
-  ASSERT_TRUE(writeExr(path, image));
+  std::vector<std::string> warnings;
+  ASSERT_TRUE(writeExr(path, image, {}, &warnings));
+  EXPECT_EQ(warnings.size(), 1u);
   const auto read = readExr(path);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->layers[0].pixels, (std::vector<float>{65504.0f, -65504.0f, 65504.0f, 65504.0f}));
   ASSERT_TRUE(writeExr(path, image, {PixelType::Float, Compression::Zip}));
   EXPECT_EQ(readExr(path)->layers[0].pixels, image.layers[0].pixels);
+}
+
+TEST(Exr, ClampedPixelsAreCountedOnce) {
+  Image image = makeImage({16, 8});
+  image.layers[0].pixels[5] = 1e6f;  // of one pixel, in two channels and two layers
+  image.layers[0].pixels[6] = -1e6f;
+  image.layers[1].pixels[4] = 1e6f;
+  image.layers[0].pixels[40] = 65510.0f;  // rounds to the largest half
+  std::vector<std::string> warnings;
+  ASSERT_TRUE(encodeExr(image, {PixelType::Half, Compression::Zip}, warnings));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "1 pixel is brighter than half floats can hold: clamped to 65504 (float as type keeps them)");
+  image.layers[2].pixels[100] = 7e4f;
+  warnings.clear();
+  ASSERT_TRUE(encodeExr(image, {PixelType::Half, Compression::Zip}, warnings));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].substr(0, 12), "2 pixels are");
+  warnings.clear();
+  ASSERT_TRUE(encodeExr(image, {PixelType::Float, Compression::Zip}, warnings));
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(Exr, FinitePixelsAreReadBackFiniteInEveryCompression) {
+  // Highlights at the limit of halves over a dark ground: lossy compression rounds beyond it.
+  constexpr ivec2 kSize{64, 48};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> dark(0, 1), bright(60000, 65504);
+  Image image;
+  image.size = kSize;
+  for (const char* name : {"", "Sun", "emission", "depth"}) {
+    Layer layer{name, *name == 'd' ? 1 : 4, {}};
+    layer.data = layer.channels == 1;
+    for (int i = 0; i < kSize.x * kSize.y * layer.channels; ++i)
+      layer.pixels.push_back(random() % 10 == 0 ? bright(random) : dark(random));
+    image.layers.push_back(std::move(layer));
+  }
+  for (const PixelType type : {PixelType::Half, PixelType::Float})
+    for (const Compression compression :
+         {Compression::None, Compression::Zips, Compression::Zip, Compression::Piz, Compression::Dwaa}) {
+      // A whole patch far beyond, too: what halves cannot hold at all.
+      Image beyond = image;
+      for (std::size_t i = 0; i < 4 * 64 * 8; ++i) beyond.layers[1].pixels[i] = 1e6f;
+      for (const Image& one : {image, beyond}) {
+        const fs::path path = test::scratchFolder() / "a.exr";
+        std::vector<std::string> warnings;
+        ASSERT_TRUE(writeExr(path, one, {type, compression}, &warnings));
+        const auto read = readExr(path);
+        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_EQ(read->layers.size(), 4u);
+        for (const Layer& layer : read->layers)
+          for (std::size_t i = 0; i < layer.pixels.size(); ++i)
+            ASSERT_TRUE(std::isfinite(layer.pixels[i]))
+                << enumId(type) << ", " << enumId(compression) << ", '" << layer.name << "', value " << i;
+        if (compression == Compression::Dwaa) {
+          ASSERT_FALSE(warnings.empty());
+          EXPECT_NE(warnings.back().find("a.exr: DWAA would make infinities"), std::string::npos);
+        }
+      }
+    }
 }
 
 TEST(Exr, NonFiniteValuesReachNoFile) {

@@ -20,7 +20,8 @@ struct Changed {
   std::string name() const { return type + "." + param; }
 };
 
-/// All of them: the list of format 1 against the registry. A parameter that is new since has no line there.
+/// All of them: the list of format 1 against the registry. A parameter that is new since has no line there,
+/// unless files of format 1 were read as one of its values has it now.
 std::vector<Changed> changedDefaults() {
   std::istringstream list(
       readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/defaults1.txt").value());

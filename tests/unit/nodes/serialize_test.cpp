@@ -66,8 +66,10 @@ TEST(Serialize, FormatOneIsReadAndSavedAsFormatTwo) {
   EXPECT_EQ(faultsOf(text), kFixtureFaults);
   expectFixture(loaded->graph);
   EXPECT_EQ(loaded->graph.links.size(), 4u);
-  // It holds no node of which a default changed: nothing else is new.
+  // Of one node a default changed, and nothing else is new.
   text.replace(text.find("\"pileus\": 1"), 11, "\"pileus\": 2");
+  const std::string file = "\"file\": \"../smoke/a.vdb\"";
+  text.replace(text.find(file), file.size(), file + ",\n        \"level_set\": \"ignore\"");
   EXPECT_EQ(graphText(loaded->graph), text);
 }
 
@@ -261,6 +263,117 @@ TEST(Clipboard, PastesWithFreeNamesAndInnerLinks) {
   EXPECT_EQ(findNode(result, "Box 2")->unknown, findNode(graph, "Box")->unknown);
   EXPECT_FALSE(pasteText(graph, "hello", {0, 0}));
   EXPECT_FALSE(pasteText(graph, copyText(graph, {}), {0, 0}));
+}
+
+Graph withFile(const std::string& file) {
+  Graph graph = addNode({}, "volume.vdb_file", {0, 0}, "Smoke").value();
+  return setParam(graph, "Smoke", "file", file).value();
+}
+
+std::string fileOf(const Graph& graph, const std::string& node = "Smoke") {
+  return std::get<std::string>(findNode(graph, node)->params.at("file"));
+}
+
+TEST(Clipboard, FilesAreFoundFromAnotherFolder) {
+  const std::string text = copyText(withFile("../vdb/smoke.vdb"), {"Smoke"}, "/shows/a/scenes");
+  EXPECT_EQ(fileOf(pasteText({}, text, {0, 0}).value()), "/shows/a/vdb/smoke.vdb");
+  EXPECT_EQ(fileOf(pasteText({}, copyText(withFile("smoke.vdb"), {"Smoke"}), {0, 0}).value()), "smoke.vdb")
+      << "a document that lies nowhere";
+}
+
+TEST(Files, AMergedGraphFindsItsFiles) {
+  const auto root = test::scratchFolder();
+  std::filesystem::create_directories(root / "other" / "scenes");
+  std::filesystem::create_directories(root / "mine");
+  const auto file = root / "other" / "scenes" / "a.json";
+  ASSERT_TRUE(saveGraph(file, withFile("../vdb/smoke.vdb")));
+  std::set<std::string> pasted;
+  const auto merged = mergeGraph(withFile("x.vdb"), file, root / "mine", {0, 0}, &pasted);
+  ASSERT_TRUE(merged) << merged.error().message;
+  EXPECT_EQ(pasted, std::set<std::string>{"Smoke 2"});
+  EXPECT_EQ(fileOf(*merged, "Smoke 2"), "../other/vdb/smoke.vdb");
+  EXPECT_EQ(fileOf(*merged), "x.vdb");
+  EXPECT_EQ(fileOf(mergeGraph({}, file, {}, {0, 0}).value()), (root / "other/vdb/smoke.vdb").string());
+  const auto nothing = mergeGraph({}, root / "none.json", {}, {0, 0});
+  ASSERT_FALSE(nothing);
+  EXPECT_NE(nothing.error().message.find("none.json"), std::string::npos);
+}
+
+TEST(Files, TheColourConfigurationMovesWithTheGraph) {
+  Graph graph;
+  graph.settings.ocio = "color/show.ocio";
+  EXPECT_EQ(withRelativePaths(graph, "/shows/a", "/shows/b").settings.ocio, "../a/color/show.ocio");
+  EXPECT_EQ(withRelativePaths(graph, "/shows/a", "/shows/a").settings.ocio, "color/show.ocio");
+  graph.settings.ocio = "ocio://default";
+  EXPECT_EQ(withRelativePaths(graph, "/shows/a", "/shows/b").settings.ocio, "ocio://default");
+}
+
+TEST(Files, AVolumeOrAPictureIsNamed) {
+  const auto root = test::scratchFolder();
+  using namespace std::string_view_literals;
+  std::ofstream(root / "a.vdb", std::ios::binary) << " BDV\0\0\0\0\xe0"sv;
+  std::ofstream(root / "a.exr", std::ios::binary) << "\x76\x2f\x31\x01\x02\0\0\0"sv;
+  const auto volume = loadGraph(root / "a.vdb"), picture = loadGraph(root / "a.exr");
+  ASSERT_FALSE(volume || picture);
+  EXPECT_NE(volume.error().message.find("a.vdb: a volume, not a graph: open it"), std::string::npos)
+      << volume.error().message;
+  EXPECT_NE(picture.error().message.find("a.exr: an OpenEXR picture, not a graph"), std::string::npos);
+}
+
+/// What a file says wrongly is either in the text that is saved, or the fault says that it would be lost.
+TEST(Faults, SayWhatASaveWouldDelete) {
+  const auto losing = [](const std::string& text) {
+    const auto loaded = parseGraph(text);
+    EXPECT_TRUE(loaded) << text;
+    std::string lost;
+    for (const Fault& f : loaded->faults)
+      if (f.lost) lost += f.where + " ";
+    EXPECT_EQ(loaded->loses(), !lost.empty());
+    // A saved graph has nothing more to lose.
+    EXPECT_FALSE(parseGraph(graphText(loaded->graph))->loses());
+    return lost;
+  };
+  EXPECT_EQ(losing(fixture()), "");
+  EXPECT_EQ(losing(withNodes(R"("a.b": {"type": "light.sun"}, "B": {"at": [0, 0]}, "C": 3)")),
+            "B.type C nodes.a.b ");
+  EXPECT_EQ(losing(withNodes(R"("Sun": {"type": "light.sun", "at": "left", "bypass": 1, "label": 2})")),
+            "Sun.at Sun.bypass Sun.label ");
+  EXPECT_EQ(losing(withNodes("", R"("A.b -> C.d", 7)")), "links[0] links[0] links[1] ");
+  EXPECT_EQ(losing(R"({"pileus": 1, "nodes": {}, "settings": {"size": 5, "fps": -1, "frames": [2, 1]}})"),
+            "settings.fps settings.frames settings.size ");
+  EXPECT_EQ(losing(withNodes(R"("Sun": {"type": "light.sun", "type": "light.point"})")), "Sun.type ");
+  // Kept as it stands.
+  for (const char* params : {R"("elevation": "high")", R"("elevation": 1e6)", R"("warmth": 3)",
+                             R"("elevation": {"keys": [[1, 2], [1, 3]]})"})
+    EXPECT_EQ(losing(sunWith(params)), "") << params;
+}
+
+TEST(Files, ACopyIsKeptOfWhatWouldBeLost) {
+  const auto file = test::scratchFolder() / "a.json";
+  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  write("one");
+  EXPECT_EQ(backUp(file).value(), file.string() + ".bak");
+  EXPECT_EQ(backUp(file).value(), file.string() + ".bak") << "it is there";
+  write("two");
+  EXPECT_EQ(backUp(file).value(), file.string() + ".bak2");
+  EXPECT_EQ(readFile(file.string() + ".bak").value(), "one");
+  EXPECT_EQ(readFile(file.string() + ".bak2").value(), "two");
+  EXPECT_FALSE(backUp(file.string() + "-none"));
+}
+
+TEST(Files, SavingOverWhatCouldNotBeReadKeepsIt) {
+  const auto file = test::scratchFolder() / "a.json";
+  const std::string text = withNodes(R"("a.b": {"type": "light.sun"})");
+  std::ofstream(file) << text;
+  const Graph graph = loadGraph(file)->graph;
+  std::filesystem::path kept;
+  ASSERT_TRUE(saveGraph(file, graph, {}, &kept));
+  EXPECT_EQ(kept, file.string() + ".bak");
+  EXPECT_EQ(readFile(kept).value(), text);
+  kept.clear();
+  ASSERT_TRUE(saveGraph(file, graph, {}, &kept));
+  EXPECT_TRUE(kept.empty()) << "nothing is lost any more";
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".bak2"));
 }
 
 /// Cuts, copies, swaps and changes bytes; often where JSON is sensitive.

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <vector>
 
 #include "renderer/volume/brick_builder.h"
 #include "renderer/volume/vdb_fit.h"
@@ -35,6 +37,76 @@ TEST(Autofit, GivesTheWantedDepthThroughAUniformBall) {
   EXPECT_NEAR(autofit(*ball(40, 2.5, 0.5)).extinction, 6 / (2.5 * 80 * 0.5), 0.03 * 6 / 100.0);
   EXPECT_NEAR(autofit(*ball(90, 0.1, 3)).extinction, 6 / (0.1 * 180 * 3), 0.03 * 6 / 54.0);
   EXPECT_EQ(autofit(*ball(20, 1, 1)).opticalDepth, 6);
+}
+
+/// A ball of 30 voxels about the origin, and single voxels of density 1 elsewhere.
+GridPtr withStrays(const std::vector<ivec3>& strays) {
+  constexpr double kRadius = 30;
+  VoxelSource s;
+  s.name = "density";
+  s.activeMin = ivec3(-30);
+  s.activeMax = ivec3(30);
+  for (const ivec3& p : strays)
+    s.activeMin = glm::min(s.activeMin, p), s.activeMax = glm::max(s.activeMax, p);
+  const auto near = [=](ivec3 lo) {
+    if (glm::length(dvec3(lo)) < kRadius + 2 * kStoredSize) return true;
+    for (const ivec3& p : strays)
+      if (glm::all(glm::greaterThanEqual(p, lo)) && glm::all(glm::lessThan(p, lo + kStoredSize))) return true;
+    return false;
+  };
+  s.touches = near;
+  s.fill = [=](ivec3 lo, float* out) {
+    for (int i = 0; i < kStoredVoxels; ++i) {
+      const ivec3 p =
+          lo + ivec3(i % kStoredSize, i / kStoredSize % kStoredSize, i / kStoredSize / kStoredSize);
+      const bool stray = std::find(strays.begin(), strays.end(), p) != strays.end();
+      out[i] = stray || glm::length(dvec3(p)) <= kRadius ? 1.0f : 0.0f;
+    }
+    return Fill::Voxels;
+  };
+  JobControl control;
+  auto built = buildBricks(s, control);
+  EXPECT_TRUE(built) << built.error().message;
+  return built->grid;
+}
+
+TEST(Bulk, LeavesStraysOut) {
+  const double alone = autofit(*withStrays({})).extinction;
+  EXPECT_EQ(bulkBounds(*withStrays({})).max, dvec3(31));
+  for (const std::vector<ivec3>& strays : {std::vector<ivec3>{{20000, 0, 0}},
+                                           {{-20000, 0, 0}},
+                                           {{900, 1000, -1100}},
+                                           {{0, 600, 0}},
+                                           {{20000, 0, 0}, {-3000, 10, 0}, {0, 0, 40}}}) {
+    SCOPED_TRACE(strays[0].x);
+    const GridPtr grid = withStrays(strays);
+    const Box3 bulk = bulkBounds(*grid);
+    // All of the ball, and little more.
+    for (int a = 0; a < 3; ++a) {
+      EXPECT_LE(bulk.min[a], -31);
+      EXPECT_GE(bulk.max[a], 31);
+      EXPECT_LE(bulk.size()[a], 130);
+    }
+    EXPECT_NEAR(autofit(*grid).extinction, alone, 0.12 * alone);
+    EXPECT_EQ(grid->indexBounds.max, glm::max(dvec3(31), dvec3(strays[0]) + 1.0)) << "they are drawn";
+  }
+}
+
+TEST(Bulk, IsAllOfWhatHangsTogetherOrHasWeight) {
+  // A trail of single voxels: thin, but no stray.
+  std::vector<ivec3> trail;
+  for (int x = 30; x < 900; x += 40) trail.push_back({x, 0, 0});
+  const GridPtr tailed = withStrays(trail);
+  EXPECT_EQ(bulkBounds(*tailed).max, tailed->indexBounds.max);
+  // A second ball as large as the first would be: not a thousandth, a part.
+  std::vector<ivec3> other;
+  for (int i = 0; i < 1000; ++i) other.push_back({700 + i % 10, i / 10 % 10, i / 100});
+  const GridPtr two = withStrays(other);
+  EXPECT_EQ(bulkBounds(*two).max, two->indexBounds.max);
+  EXPECT_TRUE(bulkBounds(*emptyGrid("none")).empty());
+  Instance ball;
+  ball.shape = Shape::Ball;
+  EXPECT_EQ(worldBulkBounds(ball).max, worldBounds(ball).max);
 }
 
 TEST(Autofit, EmptyGridsGiveOne) {

@@ -15,6 +15,7 @@
 
 #include "renderer/base/file.h"
 #include "renderer/volume/brick_builder.h"
+#include "renderer/volume/grid_guess.h"
 #include "renderer/volume/vdb_child.h"
 #include "tests/support/support.h"
 
@@ -126,7 +127,8 @@ TEST(VdbImport, EveryFloatGridMatchesOpenVdb) {
     openvdb::io::File file(path.string());
     file.open(false);
     for (const GridInfo& g : info->grids) {
-      if (!g.drawable || (g.valueType != "float" && g.valueType != "half" && g.valueType != "double"))
+      if (!g.drawable || g.gridClass == "level set" ||
+          (g.valueType != "float" && g.valueType != "half" && g.valueType != "double"))
         continue;
       const auto base = file.readGrid(g.name);
       ++compared;
@@ -158,14 +160,214 @@ TEST(VdbImport, BadFiles) {
   EXPECT_EQ(seen, 14);
 }
 
-TEST(VdbImport, LevelSetsPointsAndVectorsAreEmptyWithAWarning) {
+TEST(VdbImport, PointsAndVectorsAreEmptyWithAWarning) {
   PILEUS_NEEDS_DATA();
-  for (const char* name : {"openvdb_sphere_levelset.vdb", "openvdb_sphere_points.vdb", "oiio_sphereCd.vdb"}) {
+  for (const char* name : {"openvdb_sphere_points.vdb", "oiio_sphereCd.vdb"}) {
     auto r = import(*test::dataFolder() / "vdb" / name);
     ASSERT_TRUE(r) << r.error().message;
     EXPECT_TRUE(r->grid->empty());
     ASSERT_EQ(r->warnings.size(), 1u) << name;
   }
+}
+
+/// A sphere of the radius, in voxels of 0.1 m, with a band of three voxels on each side.
+openvdb::FloatGrid::Ptr sphereLevelSet(double radius) {
+  openvdb::initialize();
+  constexpr double kVoxel = 0.1, kBand = 3 * kVoxel;
+  auto g = openvdb::FloatGrid::create(static_cast<float>(kBand));
+  g->setName("surface");
+  g->setGridClass(openvdb::GRID_LEVEL_SET);
+  g->setTransform(openvdb::math::Transform::createLinearTransform(kVoxel));
+  const int reach = static_cast<int>(radius) + 4;
+  auto access = g->getAccessor();
+  for (int z = -reach; z <= reach; ++z)
+    for (int y = -reach; y <= reach; ++y)
+      for (int x = -reach; x <= reach; ++x) {
+        const double d = kVoxel * (std::sqrt(double(x * x + y * y + z * z)) - radius);
+        if (std::abs(d) < kBand)
+          access.setValue({x, y, z}, static_cast<float>(d));
+        else if (d < 0)
+          access.setValueOff({x, y, z}, static_cast<float>(-kBand));
+      }
+  return g;
+}
+
+TEST(VdbImport, ALevelSetIsFogInsideItsSurface) {
+  const fs::path path = writeVdb({sphereLevelSet(20)});
+  const auto r = import(path);
+  ASSERT_TRUE(r) << r.error().message;
+  EXPECT_TRUE(r->levelSet);
+  EXPECT_TRUE(r->warnings.empty()) << r->warnings[0];
+  const BrickGrid& g = *r->grid;
+  for (int x = -24; x <= 24; ++x) {  // linear from the surface to the end of the band
+    const double want = std::clamp((20 - std::abs(x)) / 3.0, 0.0, 1.0);
+    EXPECT_NEAR(static_cast<double>(voxelAt(g, {x, 0, 0})), want, 0.003) << x;
+  }
+  EXPECT_EQ(g.indexBounds.min, dvec3(-20)) << "what is outside takes no room";
+  JobControl control;
+  const auto info = inspectVdb(path, control);
+  ASSERT_TRUE(info) << info.error().message;
+  EXPECT_EQ(info->chosen, 0);
+  EXPECT_TRUE(info->grids[0].drawable);
+  EXPECT_EQ(info->grids[0].indexMin, ivec3(-19));
+  // From the cache.
+  EXPECT_TRUE(import(path)->levelSet);
+  const auto ignored = importVdb(path, "", control, {}, LevelSets::Ignore);
+  ASSERT_TRUE(ignored) << ignored.error().message;
+  EXPECT_TRUE(ignored->grid->empty());
+  ASSERT_EQ(ignored->warnings.size(), 1u);
+  EXPECT_NE(ignored->warnings[0].find("level set"), std::string::npos);
+  EXPECT_EQ(guessGrid(info->grids).grid, "surface");
+}
+
+TEST(VdbImport, FogGoesBeforeALevelSet) {
+  auto density = fog("unnamed thing");
+  density->tree().setValue(openvdb::Coord(3), 1.0f);
+  const fs::path path = writeVdb({sphereLevelSet(6), density});
+  EXPECT_EQ(import(path)->grid->name, "unnamed thing");
+  JobControl control;
+  EXPECT_EQ(guessGrid(inspectVdb(path, control)->grids).grid, "unnamed thing");
+}
+
+/// The file with one of its types' names replaced by another of the same length.
+fs::path withStranger(const fs::path& path, const std::string& type, const std::string& by) {
+  std::string bytes = *readFile(path);
+  EXPECT_EQ(type.size(), by.size());
+  const std::size_t at = bytes.find(type);
+  EXPECT_NE(at, std::string::npos);
+  bytes.replace(at, type.size(), by);
+  EXPECT_TRUE(writeFileAtomic(path, bytes));
+  return path;
+}
+
+TEST(VdbImport, AGridOfAnUnknownTypeLosesNoOther) {
+  auto density = fog("density");
+  density->tree().setValue(openvdb::Coord(3), 1.0f);
+  auto odd = openvdb::Int32Grid::create(0);
+  odd->setName("odd");
+  odd->tree().setValue(openvdb::Coord(1), 1);
+  const fs::path path = withStranger(writeVdb({density, odd}), "Tree_int32_5_4_3", "Tree_quat4_5_4_3");
+  const auto r = import(path);
+  ASSERT_TRUE(r) << r.error().message;
+  EXPECT_EQ(r->grid->name, "density");
+  EXPECT_EQ(voxelAt(*r->grid, ivec3(3)), 1.0f);
+  ASSERT_EQ(r->warnings.size(), 1u);
+  EXPECT_EQ(r->warnings[0],
+            "grid 'odd' is of the type Tree_quat4_5_4_3, which is not known here: it is left out");
+  const auto alone = import(path, "odd");
+  ASSERT_TRUE(alone) << alone.error().message;
+  EXPECT_TRUE(alone->grid->empty());
+  JobControl control;
+  const auto info = inspectVdb(path, control);
+  ASSERT_TRUE(info) << info.error().message;
+  ASSERT_EQ(info->grids.size(), 2u);
+  EXPECT_TRUE(info->grids[0].drawable);
+  EXPECT_FALSE(info->grids[1].drawable);
+  EXPECT_NE(info->grids[1].reason.find("Tree_quat4"), std::string::npos);
+}
+
+TEST(VdbImport, ANewerFormatIsNamed) {
+  auto g = fog("density");
+  g->tree().setValue(openvdb::Coord(3), 1.0f);
+  const fs::path path = writeVdb({g});
+  std::string bytes = *readFile(path);
+  bytes[8] = static_cast<char>(0xF0);  // 240
+  ASSERT_TRUE(writeFileAtomic(path, bytes.substr(0, bytes.size() - 40)));
+  expectInputError(path, "file format 240, this Pileus knows formats up to 224");
+  bytes[8] = static_cast<char>(0xE0);
+  ASSERT_TRUE(writeFileAtomic(path, bytes.substr(0, bytes.size() - 40)));
+  EXPECT_EQ(import(path).error().message.find("format"), std::string::npos) << "it is not the format";
+}
+
+TEST(VdbImport, WhatIsNothingDoesNotCount) {
+  const auto smoke = [] {
+    auto g = fog("density");
+    for (int i = 0; i < 4000; ++i)
+      g->tree().setValue(openvdb::Coord(i % 20, i / 20 % 20, i / 400), 0.5f + 0.5f * float(i % 7) / 7);
+    return g;
+  };
+  const auto alone = import(writeVdb({smoke()}));
+  ASSERT_TRUE(alone) << alone.error().message;
+  for (const openvdb::Coord& at : {openvdb::Coord(70000, 0, 0), openvdb::Coord(5000, 5000, 5000)})
+    for (const float value : {0.0f, 1e-6f}) {
+      auto g = smoke();
+      g->tree().setValue(at, value);
+      const auto r = import(writeVdb({g}));
+      ASSERT_TRUE(r) << r.error().message;
+      EXPECT_EQ(r->grid->indexBounds.max, alone->grid->indexBounds.max) << value;
+      EXPECT_EQ(r->grid->payloadCount, alone->grid->payloadCount);
+      for (int i = 0; i < 4000; i += 37) {
+        const ivec3 p(i % 20, i / 20 % 20, i / 400);
+        ASSERT_EQ(voxelAt(*r->grid, p), voxelAt(*alone->grid, p));
+      }
+    }
+}
+
+TEST(VdbImport, ABackgroundIsNothingOrAConstantOrRefused) {
+  const auto wide = [](float background, int reach) {
+    openvdb::initialize();
+    auto g = openvdb::FloatGrid::create(background);
+    g->setName("density");
+    g->setGridClass(openvdb::GRID_FOG_VOLUME);
+    g->tree().setValue(openvdb::Coord(0), 1.0f);
+    g->tree().setValue(openvdb::Coord(reach), 1.0f);
+    return g;
+  };
+  // As small as nothing: no bricks but those of the two voxels.
+  const auto nothing = import(writeVdb({wide(1e-6f, 1500)}));
+  ASSERT_TRUE(nothing) << nothing.error().message;
+  EXPECT_TRUE(nothing->warnings.empty()) << nothing->warnings[0];
+  EXPECT_LE(nothing->grid->payloadCount, 64u);
+  EXPECT_EQ(voxelAt(*nothing->grid, ivec3(1)), 0.0f);
+  // A real one: a constant between them, as long as that is reasonable.
+  const auto constant = import(writeVdb({wide(0.25f, 300)}));
+  ASSERT_TRUE(constant) << constant.error().message;
+  ASSERT_EQ(constant->warnings.size(), 1u);
+  EXPECT_EQ(voxelAt(*constant->grid, ivec3(150)), 0.25f);
+  expectInputError(writeVdb({wide(0.25f, 1500)}), "background is 0.25");
+}
+
+TEST(VdbImport, WithoutRoomForTheCacheTheGridIsHeldInMemory) {
+  auto g = fog("density");
+  for (int i = 0; i < 20000; ++i)
+    g->tree().setValue(openvdb::Coord(i * 7 % 150, i * 3 % 140, i % 130), 1.0f + float(i % 100));
+  const fs::path path = writeVdb({g});
+  const auto kept = import(path);
+  ASSERT_TRUE(kept) << kept.error().message;
+  // Where the bricks should lie is no folder.
+  const fs::path bricks = cacheFolder() / "bricks", aside = cacheFolder() / "aside";
+  fs::rename(bricks, aside);
+  std::ofstream(bricks) << "in the way";
+  const auto r = import(path), again = import(path);
+  fs::remove(bricks);
+  fs::rename(aside, bricks);
+  ASSERT_TRUE(r && again) << (r ? again : r).error().message;
+  EXPECT_EQ(r->grid->content, kept->grid->content);
+  EXPECT_GT(r->grid->payloadCount, 100u);
+  ASSERT_EQ(r->warnings.size(), 1u);
+  EXPECT_NE(r->warnings[0].find("without the cache"), std::string::npos) << r->warnings[0];
+  EXPECT_NE(r->warnings[0].find("cannot be written (Not a directory)"), std::string::npos) << r->warnings[0];
+  EXPECT_EQ(again->warnings, r->warnings) << "each time, as long as it is so";
+}
+
+TEST(VdbImport, NamesAreUtf8) {
+  auto g = fog("Dichte \xe9\xfc");  // Latin-1
+  g->tree().setValue(openvdb::Coord(3), 1.0f);
+  auto long_ = fog("a");
+  std::string name;
+  while (name.size() < 300) name += "\xc3\xa9";
+  long_->setName(name);
+  long_->tree().setValue(openvdb::Coord(3), 1.0f);
+  const fs::path path = writeVdb({g, long_});
+  JobControl control;
+  const auto info = inspectVdb(path, control);
+  ASSERT_TRUE(info) << info.error().message;
+  ASSERT_EQ(info->grids.size(), 2u);
+  EXPECT_EQ(info->grids[0].name, "Dichte \xc3\xa9\xc3\xbc");
+  EXPECT_EQ(info->grids[1].name, name.substr(0, 120) + "...") << "cut between characters";
+  const auto r = import(path, info->grids[0].name);
+  ASSERT_TRUE(r) << r.error().message;
+  EXPECT_EQ(r->grid->name, "Dichte \xc3\xa9\xc3\xbc");
 }
 
 TEST(VdbImport, GridsOfOneNameAreNumbered) {
@@ -248,7 +450,7 @@ TEST(VdbImport, ChoosesByNameAndClass) {
   density->tree().setValue(openvdb::Coord(0), 1.0f);
   auto surface = fog("aa_surface");
   surface->setGridClass(openvdb::GRID_LEVEL_SET);
-  surface->tree().setValue(openvdb::Coord(0), 1.0f);
+  surface->tree().setValue(openvdb::Coord(0), -1.0f);
   EXPECT_EQ(import(writeVdb({surface, temperature, density}))->grid->name, "Density");
   EXPECT_EQ(import(writeVdb({surface, temperature}))->grid->name, "a_temperature");
 }

@@ -94,6 +94,7 @@ void evaluate(Editor& editor) {
   // Several steps a frame, so that drawing the window costs a refinement little; but input comes first: while
   // events wait, the picture does.
   const Stopwatch clock;
+  editor.shown.preview.watchFiles();
   while (!editor.window.inputPending()) {
     editor.shown.preview.step(previewRequest(editor));
     if (editor.shown.preview.complete() || !editor.shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;
@@ -202,6 +203,7 @@ double idleSeconds(const Editor& editor, int settling) {
   for (const PointerRest* rest : {&editor.parameters.rest, &editor.timeline.rest})
     if (const double due = helpDueIn(*rest); due > 0) return due;
   double due = 60;
+  if (const double files = editor.shown.preview.filesDueIn(); files >= 0) due = std::min(due, files + 0.01);
   // A notice is drawn while it fades, and once more when it is gone.
   if (const double left = editor.messages.msLeft(); left >= 0)
     due = std::clamp((left - 300) / 1000, 0.05, 30.0);

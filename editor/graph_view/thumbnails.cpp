@@ -62,7 +62,7 @@ NodePicture Thumbnails::image(const Session& session, const Clock& clock, Shown&
   const view::DisplaySettings settings = displaySettings(session, clock, shown);
   const std::string display = fmt::format("{}|{}|{}|{}|{}|{}", settings.display, settings.view, settings.look,
                                           settings.exposure, settings.gamma, settings.raw);
-  const bool same = e.source == picture && e.fraction == picture->fraction && e.display == display;
+  const bool same = e.source.lock() == picture && e.fraction == picture->fraction && e.display == display;
   if (same || (e.picture.texture && picture->fraction < 1 && ImGui::GetTime() - e.madeAt < kEvery))
     return e.picture;
   if (e.slot == 0) e.slot = kFirstSlot + slots_++;
@@ -96,7 +96,7 @@ NodePicture Thumbnails::map(const Session& session, const Clock& clock, const Sh
   }
   const std::shared_ptr<const void> source =
       shadow ? std::shared_ptr<const void>(shadow) : std::shared_ptr<const void>(metric);
-  if (!source || source == e.source || passing(clock, shown, e)) return e.picture;
+  if (!source || source == e.source.lock() || passing(clock, shown, e)) return e.picture;
   const shadow::Gpu gpu = shown.renderer.gpu();
   const Result<int> tiles = shadow ? view::drawMapThumbnail(gpu, *shadow, kTile, e.texture)
                                    : view::drawMapThumbnail(gpu, *metric, kTile, e.texture);

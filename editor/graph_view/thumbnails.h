@@ -28,7 +28,7 @@ class Thumbnails {
 
  private:
   struct Entry {
-    std::shared_ptr<const void> source;  ///< what it was made from
+    std::weak_ptr<const void> source;  ///< what it was made from
     double fraction = -1, madeAt = -1;
     int frame = 0;
     std::string display;  ///< settings of the display transform

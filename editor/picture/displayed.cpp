@@ -7,6 +7,7 @@
 #include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
 #include "editor/time/clock.h"
+#include "renderer/base/file.h"
 
 namespace pileus::editor {
 namespace {
@@ -24,13 +25,15 @@ std::string textParam(const nodes::Node& node, const nodes::NodeType& type, cons
 void updateColors(Messages& messages, const Session& session, Shown& shown) {
   Displayed& displayed = shown.displayed;
   const std::string& wanted = session.document.graph().settings.ocio;
-  if (displayed.colorsOf == wanted) return;
-  displayed.colorsOf = wanted;
-  displayed.colorError.clear();
-  for (Displayed::Drawn& drawn : displayed.drawn) drawn.picture.reset();
   std::filesystem::path path = wanted;
   if (!wanted.empty() && path.is_relative() && !session.document.path().empty())
     path = session.document.path().parent_path() / path;
+  const Key stamp = wanted.empty() ? Key{} : fileStamp(path);
+  if (displayed.colorsOf == wanted && displayed.colorsStamp == stamp) return;
+  displayed.colorsOf = wanted;
+  displayed.colorsStamp = stamp;
+  displayed.colorError.clear();
+  for (Displayed::Drawn& drawn : displayed.drawn) drawn.picture.reset();
   Result<std::shared_ptr<const image::ColorConfig>> config = image::ColorConfig::load(path.string());
   if (!config) {
     displayed.colorError = config.error().message;
@@ -56,8 +59,8 @@ unsigned displayTexture(Messages& messages, const Session& session, const Clock&
     const view::ScanResult* scan = shown.mode.scan.result();
     settings.range = scan && scan->depth.y > scan->depth.x ? scan->depth : vec2(0, 1);
   }
-  if (drawn.picture == picture && drawn.fraction == picture->fraction && drawn.samples == picture->samples &&
-      drawn.size == size && drawn.settings == settings && drawn.texture)
+  if (drawn.picture.lock() == picture && drawn.fraction == picture->fraction &&
+      drawn.samples == picture->samples && drawn.size == size && drawn.settings == settings && drawn.texture)
     return drawn.texture;
   const auto draw = [&](const view::DisplaySettings& s) {
     if (slot == 0) displayed.timer.begin();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "editor/picture/snapshots.h"
+#include "renderer/base/hash.h"
 #include "renderer/gl/gpu_timer.h"
 #include "renderer/image/color.h"
 #include "renderer/view/display.h"
@@ -24,11 +25,12 @@ struct Displayed {
   view::Display display;
   std::shared_ptr<const image::ColorConfig> colors;
   std::string colorsOf = "\n";  ///< settings.ocio the config was loaded for
+  Key colorsStamp;              ///< of its file then
   std::string colorError;
 
   /// A picture through the display transform, and what it was drawn from.
   struct Drawn {
-    std::shared_ptr<const view::Picture> picture;
+    std::weak_ptr<const view::Picture> picture;  ///< what was drawn keeps neither texels nor scene
     double fraction = -1;
     int samples = -1;
     ivec2 size{0};

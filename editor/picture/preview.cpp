@@ -29,7 +29,27 @@ bool makesPictures(const nodes::Node& node) {
 }  // namespace
 
 Preview::Preview(view::Renderer* renderer)
-    : evaluator_(renderer), pace_(!renderer || renderer->device().software) {}
+    : evaluator_(renderer), pace_(!renderer || renderer->device().software) {
+  evaluator_.setLetGo([this] { return letGo(); });
+}
+
+/// The pictures shown become stills, without the scene that keeps shadow maps, unless they are what is
+/// wanted.
+bool Preview::letGo() {
+  const nodes::SocketValue* value = shownImage(evaluator_, current_.graph, current_.view);
+  const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
+  const auto still = [&](const std::shared_ptr<const view::Picture>& of) {
+    Result<std::shared_ptr<const view::Picture>> made = view::stillOf(*of);
+    return made ? *made : nullptr;
+  };
+  const auto pins = [&](const std::shared_ptr<const view::Picture>& p) {
+    return p && p->scene && !(image && image->picture == p);
+  };
+  const bool same = whole_ == picture_, any = pins(picture_) || pins(whole_);
+  if (pins(picture_)) picture_ = still(picture_);
+  if (pins(whole_)) whole_ = same ? picture_ : still(whole_);
+  return any;
+}
 
 bool Preview::wantsFrame() const {
   if (current_.view.empty()) return false;
@@ -43,6 +63,9 @@ void Preview::begin(const PreviewRequest& wanted, bool draft) {
   draftPixels_ = pace_.pixels(), draftTexels_ = pace_.texels();
   stepsMs_ = 0;
   waited_ = false;
+  around_ = {};
+  if (!current_.region.whole() && whole_)
+    around_ = Hasher().add("around").add(wholes_).add(whole_->fraction).key();
   evaluations_.clear();
   for (const auto& [name, node] : current_.graph.nodes)
     evaluations_[name] = evaluator_.status(name).evaluations;
@@ -90,6 +113,7 @@ void Preview::step(const PreviewRequest& wanted) {
   settings.draftPixels = draftPixels_;
   settings.draftTexels = draftTexels_;
   settings.seed = seed();
+  settings.around = around_;
   const bool first = report_.fraction == 0;
   report_ = evaluator_.evaluate(current_.graph, {current_.view}, settings);
   complete_ = report_.complete;
@@ -141,7 +165,22 @@ void Preview::takePicture(bool draft) {
   if (draft && image->picture->samples < 1 && picture_ && picture_ != image->picture) return;
   picture_ = image->picture;
   draftShown_ = draft;
-  if (!draft && current_.region.whole()) whole_ = picture_;
+  if (draft || !current_.region.whole() || whole_ == picture_) return;
+  whole_ = picture_;
+  ++wholes_;
+}
+
+void Preview::watchFiles() {
+  if (!complete_ || filesDueIn() != 0) return;
+  filesAge_.restart();
+  if (!evaluator_.filesChanged()) return;
+  fresh_ = true;
+  complete_ = false;
+}
+
+double Preview::filesDueIn() const {
+  constexpr double kEverySeconds = 1;
+  return evaluator_.readsFiles() ? std::max(0.0, kEverySeconds - filesAge_.ms() * 1e-3) : -1;
 }
 
 std::string Preview::waitingFor() const {

@@ -32,12 +32,19 @@ struct PreviewRequest {
 class Preview {
  public:
   explicit Preview(view::Renderer* renderer);
+  Preview(const Preview&) = delete;  // its evaluator knows where it is
+  Preview& operator=(const Preview&) = delete;
 
   /// Something is being dragged: drafts until it has rested for a moment.
   void touch() { rest_.restart(), touched_ = true; }
   /// One frame's work. Cheap when nothing is to be done.
   void step(const PreviewRequest& wanted);
   void pause(bool on) { paused_ = on; }
+  /// Looks, at most once a second, whether files that the picture was made from have changed: then it is made
+  /// anew.
+  void watchFiles();
+  /// Seconds until that is due; -1: there are none.
+  double filesDueIn() const;
 
   bool paused() const { return paused_; }
   bool complete() const { return complete_; }
@@ -68,13 +75,14 @@ class Preview {
   nodes::Evaluator& evaluator() { return evaluator_; }
   const nodes::Evaluator& evaluator() const { return evaluator_; }
   /// Another document is open: what belonged to the old one is no change of it.
-  void newDocument() { forgetPicture(), frame_.reset(); }
+  void newDocument() { forgetPicture(), frame_.reset(), evaluator_.forgetNames(); }
   void forgetPicture() { picture_.reset(), whole_.reset(); }
 
  private:
   void begin(const PreviewRequest& wanted, bool draft);
   void takePicture(bool draft);
   std::shared_ptr<const view::Picture> seed() const;
+  bool letGo();
   void learnPace();
 
   nodes::Evaluator evaluator_;
@@ -82,8 +90,10 @@ class Preview {
   nodes::EvalReport report_;
   std::shared_ptr<const view::Picture> picture_;
   std::shared_ptr<const view::Picture> whole_;  ///< the last one that was no draft and no part
+  std::uint64_t wholes_ = 0;                    ///< how many there were
+  Key around_;                                  ///< of what stands around the region that is made
   std::string error_;
-  Stopwatch rest_;
+  Stopwatch rest_, filesAge_;
   DraftPace pace_;
   DraftTimes draftTimes_;
   int draftPixels_ = 0, draftTexels_ = 0;  ///< of the current draft

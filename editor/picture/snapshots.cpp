@@ -61,9 +61,6 @@ void deleteSnapshot(Messages& messages, Shown& shown, std::size_t index) {
   Snapshots& s = shown.snapshots;
   if (index >= s.all.size()) return;
   messages.note(s.all[index].name + " deleted");
-  // What was drawn of it would keep its texels.
-  for (Displayed::Drawn& drawn : shown.displayed.drawn)
-    if (drawn.picture == s.all[index].picture) drawn.picture.reset();
   s.all.erase(s.all.begin() + static_cast<std::ptrdiff_t>(index));
   const auto gone = static_cast<int>(index);
   for (int* side : {&s.left, &s.right}) {

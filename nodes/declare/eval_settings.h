@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/base/hash.h"
 #include "renderer/base/math.h"
 #include "renderer/scene/camera.h"
 #include "renderer/view/picture_layer.h"
@@ -32,7 +33,8 @@ struct EvalSettings {
   view::ExtraLayers extra;       ///< and what is made beside it
   view::PictureRegion region;    ///< the part of a picture that is made
   std::shared_ptr<const view::Picture> seed;  ///< what parts still to come show; no part of any key
-  double fps = 24;                            ///< the document's; the evaluator sets it
+  Key around;       ///< of the seed, where a region is made: it stays around the finished picture
+  double fps = 24;  ///< the document's; the evaluator sets it
   double budgetMs =
       30;  ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
 };

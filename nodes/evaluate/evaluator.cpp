@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "nodes/evaluate/evaluator_impl.h"
+#include "renderer/base/file.h"
+#include "renderer/view/renderer.h"
 
 namespace pileus::nodes {
 namespace {
@@ -14,17 +16,30 @@ const SocketValue* find(const Values& values, const NodeType* type, std::string_
   return std::holds_alternative<std::monostate>(value) ? nullptr : &value;
 }
 
+bool sameRequest(const EvalSettings& a, const EvalSettings& b) {
+  return a.frame == b.frame && a.size == b.size && a.quality == b.quality && a.freeCamera == b.freeCamera &&
+         a.folder == b.folder && a.draftPixels == b.draftPixels && a.draftTexels == b.draftTexels &&
+         a.layer == b.layer && a.extra == b.extra && a.region == b.region && a.around == b.around &&
+         a.fps == b.fps;
+}
+
 }  // namespace
 
 Evaluator::Evaluator(view::Renderer* renderer, TypeLookup lookup) : impl_(std::make_unique<Impl>()) {
   impl_->renderer = renderer;
   impl_->lookup = std::move(lookup);
+  if (renderer)
+    renderer->shadows().setReclaim(this,
+                                   [impl = impl_.get()](std::size_t bytes) { return impl->reclaim(bytes); });
 }
-Evaluator::~Evaluator() = default;
+
+Evaluator::~Evaluator() {
+  if (impl_->renderer) impl_->renderer->shadows().setReclaim(this, nullptr);
+}
 
 /// Flattens a graph unless it is the one it was.
-void Evaluator::Impl::take(const Graph& given) {
-  if (flattened && whole == given) return;
+bool Evaluator::Impl::take(const Graph& given) {
+  if (flattened && whole == given) return false;
   whole = given;
   flat = flatten(whole);
   flattened = true;
@@ -32,15 +47,73 @@ void Evaluator::Impl::take(const Graph& given) {
   for (const Link& link : flat.graph.links) incoming[link.toNode].push_back(&link);
   std::erase_if(lastGood, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
   std::erase_if(statuses, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
+  return true;
+}
+
+/// What an evaluation begins with.
+void Evaluator::Impl::fresh(const std::string& name) {
+  runs.erase(name);
+  const auto it = statuses.find(name);
+  if (it == statuses.end()) return;
+  NodeStatus status;
+  status.evaluations = it->second.evaluations;
+  it->second = std::move(status);
+}
+
+/// Notes as wanted what is there already of the nodes from that place on. Numbers and colours are worked out
+/// where they are missing, as the keys of others hold them; nothing else is.
+void Evaluator::Impl::mark(std::size_t from) {
+  if (!order || marked) return;
+  const std::size_t place = at;
+  const bool did = stepped, left = workLeft;
+  const std::size_t waited = waiting;
+  marking = true;
+  for (at = from; at < order->size(); ++at) visit((*order)[at]);
+  for (at = from; at < order->size(); ++at) fresh((*order)[at]);
+  marking = false, marked = true;
+  at = place, stepped = did, workLeft = left, waiting = waited;
+}
+
+/// For the shadow store: maps of old results go, then what others show of them.
+bool Evaluator::Impl::reclaim(std::size_t bytes) {
+  mark(at + 1);
+  const std::size_t before = renderer->shadows().usedBytes();
+  bool any = cache.dropMaps(bytes, asking);
+  // What is shown of nodes that are being worked out anew, or were not asked for.
+  if (before < renderer->shadows().usedBytes() + bytes) {
+    const std::size_t entries = lastGood.size();
+    std::erase_if(lastGood, [&](const auto& entry) {
+      const auto run = runs.find(entry.first);
+      return run == runs.end() || run->second.values != entry.second;
+    });
+    any = any || lastGood.size() < entries;
+  }
+  if (before < renderer->shadows().usedBytes() + bytes && letGo) any = letGo() || any;
+  return any;
+}
+
+/// Another one than before, or the same once more.
+void Evaluator::Impl::newRequest() {
+  ++asking.request;
+  answered = false;
+  cache.forgetTransientErrors();
+  if (cache.limit() > 0) return;
+  mark(0);
+  cache.dropUnwanted(asking);
+  lastGood.clear();
 }
 
 EvalReport Evaluator::evaluate(const Graph& given, const std::vector<std::string>& wanted,
                                const EvalSettings& wantedSettings) {
   Impl& self = *impl_;
-  self.take(given);
+  const bool isOther = self.take(given);
   const Graph& graph = self.graph;
   EvalSettings settings = wantedSettings;
   settings.fps = given.settings.fps;
+  const bool isNew = self.answered || isOther || wanted != self.targets || !sameRequest(settings, self.asked);
+  self.targets = wanted;
+  self.asked = settings;
+  self.asked.seed.reset();
   std::vector<std::string> targets;
   for (const std::string& target : wanted) {
     if (!self.flat.groups.contains(target))
@@ -56,20 +129,22 @@ EvalReport Evaluator::evaluate(const Graph& given, const std::vector<std::string
   self.clock.restart();
   self.stepped = self.workLeft = false;
   self.waiting = 0;
-  ++self.call;
-  for (auto& [name, status] : self.statuses) {
-    NodeStatus fresh;
-    fresh.evaluations = status.evaluations;
-    status = std::move(fresh);
-  }
+  ++self.asking.call;
+  for (const auto& [name, status] : self.statuses) self.fresh(name);
   self.runs.clear();
+  self.files.clear();
 
   EvalReport report;
   const UpstreamOrder upstream = upstreamOrder(graph, targets);
+  std::vector<std::string> sound;  // those that do not depend on themselves
+  std::copy_if(upstream.order.begin(), upstream.order.end(), std::back_inserter(sound),
+               [&](const std::string& name) { return !upstream.cyclic.contains(name); });
+  self.order = &sound;
+  self.marked = false;
   for (const auto& [name, path] : upstream.cyclic)
     self.failed(name, NodeState::Failed, fail(Code::Input, "{}: cycle: {}", name, path));
-  for (const std::string& name : upstream.order)
-    if (!upstream.cyclic.contains(name)) self.visit(name);
+  if (isNew) self.newRequest();
+  for (self.at = 0; self.at < sound.size(); ++self.at) self.visit(sound[self.at]);
 
   double sum = 0;
   for (const std::string& name : upstream.order) {
@@ -80,8 +155,10 @@ EvalReport Evaluator::evaluate(const Graph& given, const std::vector<std::string
   report.complete = !self.workLeft && self.waiting == 0;
   report.waitingForJobs = !self.workLeft && self.waiting > 0;
   report.fraction = upstream.order.empty() ? 1 : sum / static_cast<double>(upstream.order.size());
-  self.cache.trim(self.call);
+  self.answered = report.complete;
+  self.cache.trim(self.asking, report.complete);
   self.settings = nullptr;
+  self.order = nullptr;
   return report;
 }
 
@@ -166,6 +243,19 @@ Key Evaluator::key(const std::string& node) const {
 }
 
 void Evaluator::setCacheLimit(std::size_t bytes) { impl_->cache.setLimit(bytes); }
+
+std::size_t Evaluator::keptBytes() const { return impl_->cache.bytes(); }
+
+bool Evaluator::filesChanged() const {
+  return std::any_of(impl_->files.begin(), impl_->files.end(),
+                     [](const auto& file) { return fileStamp(file.first) != file.second; });
+}
+
+bool Evaluator::readsFiles() const { return !impl_->files.empty(); }
+
+void Evaluator::setLetGo(std::function<bool()> others) { impl_->letGo = std::move(others); }
+
+void Evaluator::forgetNames() { impl_->lastGood.clear(); }
 
 void Evaluator::clear() {
   impl_->cache.clear();

@@ -43,7 +43,7 @@ using TypeLookup = std::function<const NodeType*(std::string_view id)>;
 
 class Evaluator {
  public:
-  /// `renderer` may be null (model tests); `lookup` replaces the registry there.
+  /// `renderer` may be null (model tests), or outlives this; `lookup` replaces the registry there.
   explicit Evaluator(view::Renderer* renderer, TypeLookup lookup = findNodeType);
   ~Evaluator();
 
@@ -71,9 +71,22 @@ class Evaluator {
   /// This evaluation's content key of a node; zero Key if it was not reached.
   Key key(const std::string& node) const;
 
-  /// Memory of kept results (by EvalContext::reportGpu) above which old unused ones are dropped; those in use
-  /// are never dropped.
+  /// Are files that the last evaluate() read for any node other ones now, or gone? Looks at the disk.
+  bool filesChanged() const;
+  /// Did it read any?
+  bool readsFiles() const;
+
+  /// Memory of kept results, what they share counted once, above which old unused ones are dropped; those of
+  /// the request in progress and of the last finished one never are. 0, for sequences: the results of one
+  /// request go before those of the next are made, but for what both need.
   void setCacheLimit(std::size_t bytes);
+  /// Memory of all that is kept, by the same count.
+  std::size_t keptBytes() const;
+  /// Asked where a shadow map does not fit though no old result is kept any more: true where somebody else
+  /// let go of pictures or maps.
+  void setLetGo(std::function<bool()> others);
+  /// Another graph is to come, in which names mean other nodes: lastGood() knows none of them any more.
+  void forgetNames();
   void clear();  ///< drops everything (context lost)
 
  private:

@@ -20,6 +20,7 @@ struct Run {
   Values values;                     ///< null: none
   std::vector<Key> outputKeys;       ///< what dependants hash, one per output
   bool final = false;                ///< neither it nor anything upstream can still change
+  bool draft = false;                ///< it or something upstream was made in a draft
   std::optional<SocketType> passed;  ///< a dot: the type of what it passes
 };
 
@@ -29,7 +30,7 @@ struct Evaluator::Impl {
   view::Renderer* renderer;
   TypeLookup lookup;
   ResultCache cache;
-  std::uint64_t call = 0;
+  Asking asking;
   Graph whole;     ///< as last given
   FlatGraph flat;  ///< of it
   const Graph& graph = flat.graph;
@@ -40,8 +41,20 @@ struct Evaluator::Impl {
   std::map<std::string, Run> runs;
   std::map<std::string, Values> lastGood;
 
+  std::function<bool()> letGo;
+
+  // Of the request: the same targets and settings are the same one until it is answered.
+  std::vector<std::string> targets;
+  EvalSettings asked;
+  bool answered = true;
+
+  std::map<std::string, Key> files;  ///< read by nodes of the last evaluate(), as they were
+
   // Of the evaluate() in progress.
   const EvalSettings* settings = nullptr;
+  const std::vector<std::string>* order = nullptr;  ///< of what is wanted, upstream first
+  std::size_t at = 0;                               ///< in it
+  bool marking = false, marked = false;             ///< nothing is worked out, only asked for; that was done
   Stopwatch clock;
   bool stepped = false;     ///< the one step that is always done was done
   bool workLeft = false;    ///< an unfinished node could go on at once
@@ -76,7 +89,12 @@ struct Evaluator::Impl {
     return nullptr;
   }
 
-  void take(const Graph& given);
+  /// True: it is another one.
+  bool take(const Graph& given);
+  void newRequest();
+  void fresh(const std::string& name);
+  void mark(std::size_t from);
+  bool reclaim(std::size_t bytes);
   void visit(const std::string& name);
   void visitDot(const std::string& name);
   const NodeStatus& groupStatus(const std::string& group) const;

@@ -19,6 +19,15 @@ std::string located(const std::string& node, const NodeType& type, const std::st
   return node + (named ? "." : ": ") + message;
 }
 
+/// Are its results for parameters, and no more work than reading one?
+bool givesNumbers(const NodeType& type) {
+  return !type.outputs.empty() &&
+         std::all_of(type.outputs.begin(), type.outputs.end(), [](const SocketSpec& output) {
+           return output.type == SocketType::Number || output.type == SocketType::Vector ||
+                  output.type == SocketType::Color || output.type == SocketType::Text;
+         });
+}
+
 std::string usesText(unsigned uses) {
   constexpr std::pair<unsigned, std::string_view> kNames[] = {
       {UsesFrame, "frame"},           {UsesSize, "size"},     {UsesQuality, "quality"},
@@ -62,6 +71,7 @@ std::optional<Error> Evaluator::Impl::gather(const std::string& name, const Node
       in.paramLinks[param] = incomingLink;
     const Run& run = runs[link.fromNode];
     in.final = in.final && run.final;
+    in.draft = in.draft || run.draft;
     if (!run.values || (!run.final && std::isinf(settings->budgetMs))) {
       if (in.waitingFor.empty()) in.waitingFor = link.fromNode;
       continue;
@@ -83,6 +93,7 @@ void Evaluator::Impl::passThrough(const NodeType& type, const NodeInputs& in, Ru
   std::vector<SocketValue> values(type.outputs.size());
   run.outputKeys.assign(type.outputs.size(), Hasher().add("nothing").key());
   run.final = in.final;
+  run.draft = in.draft;
   if (!type.outputs.empty()) {
     const auto input = std::find_if(type.inputs.begin(), type.inputs.end(), [&](const SocketSpec& spec) {
       return spec.type == type.outputs[0].type;
@@ -125,7 +136,7 @@ void Evaluator::Impl::step(const std::string& name, const NodeType& type, const 
   result.bytes = std::max(result.bytes, context.bytes());
   result.warnings = context.warnings();
   result.notes = context.notes();
-  result.lastStepped = call;
+  result.lastStepped = asking.call;
   result.complete = !values || !context.incomplete();
   result.usable = values && context.usable();
   result.revision = context.revision();
@@ -138,6 +149,7 @@ void Evaluator::Impl::step(const std::string& name, const NodeType& type, const 
   else if (result.complete)
     result.values = nullptr;
   if (result.complete) result.state.reset();
+  cache.count(result);
   // Looking after a job costs nothing: it is not the step of real work that each call is owed.
   if (result.complete || !result.waitsForJob) stepped = true;
 }
@@ -200,6 +212,7 @@ void Evaluator::Impl::visitDot(const std::string& name) {
       return;
     }
     run.final = from.final;
+    run.draft = from.draft;
     value = (*from.values)[o];
     key = from.outputKeys[o];
     status.fraction = statuses[link.fromNode].fraction;
@@ -239,6 +252,7 @@ void Evaluator::Impl::visit(const std::string& name) {
   if (node.type == "dot") return visitDot(name);
   NodeInputs in;
   if (auto error = gather(name, node, *type, in)) return failed(name, NodeState::Failed, std::move(*error));
+  for (std::size_t i = 0; i < in.files.size(); ++i) files[in.files[i]] = in.stamps[i];
   Run& run = runs[name];
   NodeStatus& status = statuses[name];
   status.warnings = in.warnings;
@@ -260,19 +274,27 @@ void Evaluator::Impl::visit(const std::string& name) {
                     fail(Code::Input, "{}.{}: nothing is linked", name, type->inputs[i].id));
 
   run.key = contentKey(*type, in, *settings);
+  run.draft = in.draft;
   if (settings->quality == Quality::Draft && (type->uses & UsesQuality)) {
     // What is there in full already is better than a draft and costs nothing.
     EvalSettings full = *settings;
     full.quality = Quality::Final;
     const Key key = contentKey(*type, in, full);
-    if (cache.finished(key)) run.key = key;
+    if (cache.finished(key))
+      run.key = key;
+    else
+      run.draft = true;
   }
-  CachedResult& result = cache.at(run.key, call);
+  CachedResult& result = cache.at(run.key, asking);
+  result.passing = run.draft || !in.final;
   const bool isNew = result.lastStepped == 0;
-  const bool mayStep = !stepped || clock.ms() < settings->budgetMs || (!isNew && result.waitsForJob);
-  if (!result.complete && result.lastStepped != call && mayStep) step(name, *type, in, result, run.key);
+  const bool mayStep = marking
+                           ? givesNumbers(*type)
+                           : !stepped || clock.ms() < settings->budgetMs || (!isNew && result.waitsForJob);
+  if (!result.complete && result.lastStepped != asking.call && mayStep)
+    step(name, *type, in, result, run.key);
   if (!result.complete) {
-    if (result.lastStepped == call && result.waitsForJob)
+    if (result.lastStepped == asking.call && result.waitsForJob)
       ++waiting;
     else
       workLeft = true;

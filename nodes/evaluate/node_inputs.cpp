@@ -84,7 +84,7 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
         std::error_code ignored;
         const auto path = std::filesystem::absolute(settings.folder / text, ignored).lexically_normal();
         *checked = path.string();
-        if (!spec.writes) in.stamps.push_back(fileStamp(path));
+        if (!spec.writes) in.stamps.push_back(fileStamp(path)), in.files.push_back(path.string());
       }
     }
     in.params.push_back(std::move(*checked));
@@ -118,6 +118,7 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
         .add(settings.extra.depth)
         .add(settings.extra.lights);
     hash.add(r.min.x).add(r.min.y).add(r.max.x).add(r.max.y);
+    if (!r.whole()) hash.add(settings.around);
   }
   if ((type.uses & UsesFreeCamera) && !cameraLinked) addCamera(hash, settings.freeCamera);
   return hash.key();

@@ -21,9 +21,11 @@ struct NodeInputs {
   std::map<int, const Link*> paramLinks;        ///< and that link
   std::vector<ParamValue> params;               ///< by parameter: checked, files absolute
   std::vector<Key> stamps;                      ///< of the input files among them
+  std::vector<std::string> files;               ///< and these
   std::vector<std::string> warnings;
   std::string waitingFor;  ///< a node upstream that has no value to go on with; "" = none
   bool final = true;       ///< no partial value among the links
+  bool draft = false;      ///< something made in a draft is among them
 };
 
 /// Fills params and stamps. An error names node and key and what is allowed.

@@ -7,9 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
-#include "nodes/declare/value.h"
+#include "nodes/evaluate/result_memory.h"
 #include "renderer/base/hash.h"
 #include "renderer/base/result.h"
 
@@ -26,37 +27,68 @@ struct CachedResult {
   double fraction = 0;         ///< unfinished
   bool usable = false;         ///< unfinished: values may flow on
   bool waitsForJob = false;    ///< unfinished: nothing to do on this thread until a job reports
+  bool passing = false;        ///< made in a draft or of what was not final: of no use once unwanted
   std::string what;
   std::vector<std::string> warnings, notes;
   double cpuMs = 0, gpuMs = 0;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;          ///< as the node reported
   std::any state;                 ///< unfinished: the node's own (EvalContext::state)
   std::uint64_t lastWanted = 0;   ///< number of the evaluate() that last asked for it
-  std::uint64_t lastStepped = 0;  ///< and of the one that last called the node
+  std::uint64_t lastRequest = 0;  ///< and of the request that evaluate() was for
+  std::uint64_t lastStepped = 0;  ///< number of the evaluate() that last called the node
+  std::vector<Held> held;         ///< finished: what its values keep
+  std::size_t counted = 0;        ///< its own part of the cache's sum, beside what it shares
+};
+
+/// The evaluate() and the request that is being answered: several calls with the same graph, targets and
+/// settings are one request, until all is there.
+struct Asking {
+  std::uint64_t call = 0, request = 0;
 };
 
 class ResultCache {
  public:
-  /// Unfinished results live for this many calls unwanted (Draft and Final take turns), then their jobs are
-  /// cancelled.
+  /// Unfinished results live for this many calls unwanted (Draft and Final take turns), or until a request is
+  /// answered without them; then their jobs are cancelled.
   static constexpr std::uint64_t kStateCalls = 3;
-  /// Finished results wanted in this many last calls are never dropped.
-  static constexpr std::uint64_t kKeepCalls = 4;
+  /// Results kept beside those of the last two requests, however small they are.
+  static constexpr std::size_t kMost = 8192;
 
-  /// Made on first use; marks it as wanted in `call`. The reference is valid until the next trim().
-  CachedResult& at(const Key& key, std::uint64_t call);
+  /// Made on first use; marks it as wanted. The reference is valid until something is dropped.
+  CachedResult& at(const Key& key, const Asking& asking);
   /// Is the whole result there?
   bool finished(const Key& key) const {
     const auto it = entries_.find(key);
     return it != entries_.end() && it->second.complete && !it->second.error;
   }
-  void trim(std::uint64_t call);
+  /// Behind a step: what the result keeps is counted.
+  void count(CachedResult& result);
+  /// Errors that another try may not meet: of memory, or that it was cancelled.
+  void forgetTransientErrors();
+  /// After a call; `answered`: the request is complete.
+  void trim(const Asking& asking, bool answered);
+  /// All that this call did not ask for.
+  void dropUnwanted(const Asking& asking);
+  /// Old results with shadow maps that this call did not ask for, the oldest first, until so many bytes of
+  /// maps have gone; unfinished ones before. False: there was none.
+  bool dropMaps(std::size_t bytes, const Asking& asking);
   void setLimit(std::size_t bytes) { limit_ = bytes; }
-  void clear() { entries_.clear(); }
-  std::size_t size() const { return entries_.size(); }
+  std::size_t limit() const { return limit_; }
+  void clear();
+  std::size_t bytes() const { return bytes_; }
 
  private:
-  std::map<Key, CachedResult> entries_;
+  using Entries = std::map<Key, CachedResult>;
+  struct Shared {
+    std::size_t bytes = 0, owners = 0;
+  };
+  /// The entry behind it, and how many bytes of maps no entry keeps any more.
+  Entries::iterator drop(Entries::iterator it, std::size_t* maps = nullptr);
+  void uncount(CachedResult& result, std::size_t* maps);
+
+  Entries entries_;
+  std::unordered_map<const void*, Shared> shared_;
+  std::size_t bytes_ = 0;  ///< of all entries, what they share once
   std::size_t limit_ = std::size_t(512) << 20;
 };
 

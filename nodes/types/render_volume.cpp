@@ -4,6 +4,7 @@
 
 #include "nodes/declare/describe.h"
 #include "nodes/types/passes.h"
+#include "renderer/gl/storage.h"
 #include "renderer/view/volume_render.h"
 #include "renderer/volume/autofit.h"
 
@@ -129,9 +130,9 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   ctx.reportGpu(0, bytes);
   if (const auto& r = first.residency(); r.coarsened > 0)
     ctx.warn(
-        fmt::format("{} of the grids are drawn coarser than they are: their bricks need {} MiB, {} MiB are "
-                    "set aside (--gpu-memory)",
-                    r.coarsened, r.wantedBytes >> 20, r.budgetBytes >> 20));
+        fmt::format("{} of the grids are drawn coarser than they are: their bricks need {}, {} are set aside "
+                    "(--gpu-memory)",
+                    r.coarsened, gl::neededMib(r.wantedBytes), gl::givenMib(r.budgetBytes)));
   if (queue->fraction >= 1)
     for (std::size_t i = 1; i < queue->passes.size(); ++i)
       first.addLayer({queue->passes[i]->name, queue->passes[i]->picture()});

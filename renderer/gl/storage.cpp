@@ -2,7 +2,16 @@
 
 #include <epoxy/gl.h>
 
+#include <cmath>
+
 namespace pileus::gl {
+
+std::string neededMib(std::size_t bytes) {
+  return fmt::format("{:.1f} MiB", std::ceil(static_cast<double>(bytes) / (1 << 20) * 10) / 10);
+}
+std::string givenMib(std::size_t bytes) {
+  return fmt::format("{:.1f} MiB", std::floor(static_cast<double>(bytes) / (1 << 20) * 10) / 10);
+}
 
 void forgetErrors() {
   constexpr int kMost = 16;  // a lost context has no end of them

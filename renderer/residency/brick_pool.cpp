@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "renderer/base/profile.h"
+#include "renderer/gl/storage.h"
 #include "renderer/shaders/shared/bindings.h"
 
 namespace pileus::residency {
@@ -122,9 +123,11 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
       if (finest[i] + 1 < int(wanted[i]->levels.size()) && (worst == wanted.size() || need[i] > need[worst]))
         worst = i;
     if (worst == wanted.size())
-      return fail(Code::Gpu,
-                  "{} grids do not fit into {} MiB of GPU memory for bricks even at their coarsest level",
-                  wanted.size(), out.budgetBytes >> 20);
+      return fail(
+          Code::Gpu,
+          "{} grids do not fit into {} of GPU memory for bricks even at their coarsest level: they need "
+          "{} there; use fewer, or raise --gpu-memory",
+          wanted.size(), gl::givenMib(out.budgetBytes), gl::neededMib(total * kStoredVoxels));
     total -= need[worst];
     total += need[worst] = payloads(*wanted[worst], ++finest[worst]);
   }
@@ -141,6 +144,16 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
     for (std::size_t l = wanted[i]->levels.size(); l-- > std::size_t(finest[i]);)
       for (const volume::Brick& b : wanted[i]->levels[l].table)
         if (b.payload != kConstantBrick) e.order.push_back(b.payload);
+    changed = true;
+  }
+  // Grids that nobody else keeps can never be asked for again.
+  for (auto it = entries_.begin(); it != entries_.end();) {
+    if (it->second.lastUse == clock_ || it->second.grid.use_count() > 1) {
+      ++it;
+      continue;
+    }
+    release(it->second);
+    it = entries_.erase(it);
     changed = true;
   }
   // Room: evict the grids unused for longest.
@@ -161,7 +174,7 @@ Result<Residency> BrickPool::ensure(std::span<const volume::GridPtr> grids, doub
       // What is there stays, and the tables speak of it alone.
       if (changed) PILEUS_CHECK(rebuildTables());
       if (!room) return room.error();
-      return fail(Code::Gpu, "the brick pool is full ({} MiB)", out.budgetBytes >> 20);
+      return fail(Code::Gpu, "the brick pool is full ({})", gl::givenMib(out.budgetBytes));
     }
     allPages -= pages(*oldest->second.grid);
     release(oldest->second);

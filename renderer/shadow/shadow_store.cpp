@@ -58,6 +58,13 @@ int depthOf(std::span<const Place> places) {
   return depth;
 }
 
+/// Edge of the widest block; 0: there is none.
+int widest(std::span<const Place> places) {
+  int edge = 0;
+  for (const Place& p : places) edge = p.layers > 0 ? std::max(edge, p.edge) : edge;
+  return edge;
+}
+
 /// All anew, the widest and deepest first: narrow blocks stand side by side in wide layers.
 std::vector<Place> packed(const std::vector<Place>& places, int width) {
   std::vector<std::size_t> order;
@@ -88,10 +95,7 @@ struct DeepArena {
   DeepArena() = default;
   DeepArena(const DeepArena&) = delete;
   DeepArena& operator=(const DeepArena&) = delete;
-  ~DeepArena() {
-    glDeleteTextures(1, &texels);
-    glDeleteBuffers(1, &buffer);
-  }
+  ~DeepArena() { release(); }
   std::size_t freeRange(std::size_t count) const {
     std::size_t at = 0;
     for (const auto& [first, n] : taken) {
@@ -100,7 +104,14 @@ struct DeepArena {
     }
     return at;
   }
+  void release() {
+    glDeleteTextures(1, &texels);
+    glDeleteBuffers(1, &buffer);
+    buffer = texels = 0;
+    capacity = 0;
+  }
   Result<void> grow(std::size_t elements) {
+    if (taken.empty()) release();
     gl::forgetErrors();
     GLuint larger = 0;
     glCreateBuffers(1, &larger);
@@ -126,20 +137,56 @@ struct ShadowStoreState {
   std::size_t budget = 0;
   Array arrays[kArrays];
   DeepArena deep;
+  std::map<const void*, ShadowStore::Reclaim> reclaims;  ///< by owner
+
+  std::size_t bytes() const {
+    std::size_t sum = deep.capacity * kDeepElement;
+    for (const Array& a : arrays) sum += a.texture.bytes();
+    return sum;
+  }
+  static std::size_t bytesOf(int kind, ivec3 size) {
+    return gl::texelBytes(kFormats[kind]) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+  }
+
+  /// What the maps that have gone left behind: arrays without any are given up, those with few become as
+  /// small as they can be. What cannot be moved stays.
+  void tighten(int except) {
+    if (deep.taken.empty()) deep.release();
+    for (int k = 0; k < kArrays; ++k) {
+      Array& a = arrays[k];
+      if (k == except || !a.texture) continue;
+      const int width = widest(a.places);
+      if (width == 0) {
+        a.texture = {}, a.bits = {};
+        a.places.clear();
+        continue;
+      }
+      std::vector<Place> places = packed(a.places, width);
+      const ivec3 size(width, width, depthOf(places));
+      if (bytesOf(k, size) < a.texture.bytes()) (void)place(k, std::move(places), size);
+    }
+  }
 
   /// A texture in which all `places` have room; what lies at the array's places moves there. Error (Gpu): all
   /// stays as it is.
   Result<void> move(int kind, std::vector<Place> places, ivec3 size) {
     Array& a = arrays[kind];
-    const std::size_t bytes =
-        gl::texelBytes(kFormats[kind]) * std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
-    std::size_t others = deep.capacity * kDeepElement;
-    for (int k = 0; k < kArrays; ++k)
-      if (k != kind) others += arrays[k].texture.bytes();
-    if (bytes + others > budget)
+    if (depthOf(a.places) == 0) a.texture = {}, a.bits = {};  // nothing to keep beside what is to come
+    const std::size_t wanted = bytesOf(kind, size);
+    const auto others = [&] { return bytes() - a.texture.bytes(); };
+    if (wanted + others() > budget) tighten(kind);
+    if (wanted + others() > budget)
       return fail(Code::Gpu,
-                  "shadow maps would need {} MiB ({} x {} texels, {} layers); {} MiB are set aside for them",
-                  (bytes + others) >> 20, size.x, size.y, size.z, budget >> 20);
+                  "shadow maps would need {} ({} x {} texels, {} layers{}); {} are set aside for them: lower "
+                  "their resolution, or raise --gpu-memory",
+                  gl::neededMib(wanted + others()), size.x, size.y, size.z,
+                  others() > 0 ? ", beside " + gl::neededMib(others()) + " of other maps" : "",
+                  gl::givenMib(budget));
+    return place(kind, std::move(places), size);
+  }
+
+  Result<void> place(int kind, std::vector<Place> places, ivec3 size) {
+    Array& a = arrays[kind];
     PILEUS_TRY(gl::Texture larger,
                gl::Texture::create(GL_TEXTURE_2D_ARRAY, kFormats[kind], size, kLabels[kind]));
     larger.filter(GL_LINEAR);
@@ -154,6 +201,17 @@ struct ShadowStoreState {
     a.places = std::move(places);
     if (kind == STORE_HALF) a.bits = gl::Texture::view(a.texture, GL_RG32UI, "shadow store half, as bits");
     return {};
+  }
+
+  /// Tries, and tries again for as long as somebody lets go of maps.
+  template <class Try>
+  auto reclaiming(std::size_t need, const Try& attempt) {
+    const auto reclaim = [&] {
+      return std::any_of(reclaims.begin(), reclaims.end(), [&](const auto& r) { return r.second(need); });
+    };
+    auto result = attempt();
+    while (!result && result.error().code == Code::Gpu && need <= budget && reclaim()) result = attempt();
+    return result;
   }
 
   /// The index of a new place of that size.
@@ -178,9 +236,45 @@ struct ShadowStoreState {
     }
     std::vector<Place> places = packed(with(a.places, {ivec2(0), edge, 0, layers}), width);
     if (!still.empty() && depthOf(still) <= depthOf(places)) places = std::move(still);
+    const std::size_t had = a.places.size();
     a.places.resize(places.size());
-    PILEUS_CHECK(move(kind, places, ivec3(width, width, depthOf(places))));
-    return index;
+    Result<void> moved = move(kind, places, ivec3(width, width, depthOf(places)));
+    if (const int narrow = std::max(edge, widest(a.places)); !moved && narrow < width) {
+      // The wide map that made it so wide has gone.
+      a.places.resize(had);
+      places = packed(with(a.places, {ivec2(0), edge, 0, layers}), narrow);
+      a.places.resize(places.size());
+      moved = move(kind, places, ivec3(narrow, narrow, depthOf(places)));
+    }
+    if (moved) return index;
+    a.places.resize(had);
+    return moved.error();
+  }
+
+  /// The first of so many elements.
+  Result<std::size_t> takeDeep(std::size_t elements) {
+    const std::size_t first = deep.freeRange(elements), end = first + elements;
+    if (end > deep.capacity) {
+      GLint limit = 0;
+      glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+      const std::size_t wanted = std::max(end, std::min(2 * deep.capacity, std::size_t(limit)));
+      if (end > std::size_t(limit))
+        return fail(Code::Gpu,
+                    "deep shadow maps would hold {} vertices and texels, the buffer textures of this OpenGL "
+                    "driver {}: raise the error bound or lower the resolution",
+                    end, limit);
+      const auto others = [&] { return bytes() - deep.capacity * kDeepElement; };
+      if (others() + end * kDeepElement > budget) tighten(-1);
+      if (others() + end * kDeepElement > budget)
+        return fail(Code::Gpu,
+                    "a deep shadow map needs {}, {} in all with the other maps; {} are set aside for shadow "
+                    "maps: raise its error bound, lower its resolution, or raise --gpu-memory",
+                    gl::neededMib(elements * kDeepElement), gl::neededMib(others() + end * kDeepElement),
+                    gl::givenMib(budget));
+      PILEUS_CHECK(deep.grow(others() + wanted * kDeepElement > budget ? end : wanted));
+    }
+    deep.taken.emplace(first, elements);
+    return first;
   }
 };
 
@@ -228,6 +322,13 @@ void DeepBlock::bindImage(GLuint unit) const {
 GLuint ShadowBlock::texture() const { return store_->arrays[int(texels_)].texture.id(); }
 GLenum ShadowBlock::format() const { return kFormats[int(texels_)]; }
 
+void ShadowStore::setReclaim(const void* owner, Reclaim reclaim) {
+  if (reclaim)
+    state_->reclaims[owner] = std::move(reclaim);
+  else
+    state_->reclaims.erase(owner);
+}
+
 ShadowStore::ShadowStore(std::size_t budgetBytes) : state_(std::make_shared<ShadowStoreState>()) {
   state_->budget = budgetBytes;
 }
@@ -235,33 +336,17 @@ ShadowStore::ShadowStore(std::size_t budgetBytes) : state_(std::make_shared<Shad
 Result<std::shared_ptr<const ShadowBlock>> ShadowStore::allocate(Texels texels, int resolution, int layers,
                                                                  int faces) {
   const int edge = int(std::bit_ceil(unsigned(std::max(resolution, 16))));
-  PILEUS_TRY(const std::size_t place, state_->take(int(texels), edge, layers * faces));
+  const int all = layers * faces;
+  PILEUS_TRY(const std::size_t place,
+             state_->reclaiming(ShadowStoreState::bytesOf(int(texels), {edge, edge, all}),
+                                [&] { return state_->take(int(texels), edge, all); }));
   return std::make_shared<const ShadowBlock>(state_, texels, resolution, layers, faces, place);
 }
 
 Result<std::shared_ptr<const DeepBlock>> ShadowStore::allocateDeep(std::size_t elements) {
-  DeepArena& arena = state_->deep;
   elements = std::max<std::size_t>(elements, 1);
-  const std::size_t first = arena.freeRange(elements), end = first + elements;
-  if (end > arena.capacity) {
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
-    std::size_t others = 0;
-    for (const Array& a : state_->arrays) others += a.texture.bytes();
-    const std::size_t wanted = std::max(end, std::min(2 * arena.capacity, std::size_t(limit)));
-    if (end > std::size_t(limit))
-      return fail(Code::Gpu,
-                  "deep shadow maps would hold {} vertices and texels, the buffer textures of this OpenGL "
-                  "driver {}: raise the error bound or lower the resolution",
-                  end, limit);
-    if (others + end * kDeepElement > state_->budget)
-      return fail(Code::Gpu,
-                  "a deep shadow map needs {} MiB more; {} MiB are set aside for shadow maps: raise its "
-                  "error bound or lower its resolution",
-                  (elements * kDeepElement) >> 20, state_->budget >> 20);
-    PILEUS_CHECK(arena.grow(others + wanted * kDeepElement > state_->budget ? end : wanted));
-  }
-  arena.taken.emplace(first, elements);
+  PILEUS_TRY(const std::size_t first,
+             state_->reclaiming(elements * kDeepElement, [&] { return state_->takeDeep(elements); }));
   return std::make_shared<const DeepBlock>(state_, first, elements);
 }
 
@@ -271,9 +356,14 @@ void ShadowStore::bind() const {
   glBindTextureUnit(UNIT_SHADOW_DEEP, state_->deep.texels);
 }
 
-std::size_t ShadowStore::bytes() const {
-  std::size_t sum = state_->deep.capacity * kDeepElement;
-  for (const Array& a : state_->arrays) sum += a.texture.bytes();
+std::size_t ShadowStore::bytes() const { return state_->bytes(); }
+
+std::size_t ShadowStore::usedBytes() const {
+  std::size_t sum = 0;
+  for (const auto& [first, count] : state_->deep.taken) sum += count * kDeepElement;
+  for (int k = 0; k < kArrays; ++k)
+    for (const Place& p : state_->arrays[k].places)
+      sum += ShadowStoreState::bytesOf(k, {p.edge, p.edge, p.layers});
   return sum;
 }
 

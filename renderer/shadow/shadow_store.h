@@ -2,6 +2,7 @@
 // All shadow maps live here: one 2D texture array per format, blocks of map layers packed into it, narrow
 // ones side by side. GL thread only; a block keeps its store alive.
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -74,14 +75,22 @@ class DeepBlock {
 
 class ShadowStore {
  public:
+  /// Lets go of maps that nobody waits for, of at least so many bytes where there are as many; false: of
+  /// none.
+  using Reclaim = std::function<bool(std::size_t bytes)>;
+
   explicit ShadowStore(std::size_t budgetBytes);
+  /// Asked, and asked again, where a map does not fit: one for each owner, who takes it back with null. It
+  /// frees blocks and makes none.
+  void setReclaim(const void* owner, Reclaim reclaim);
   /// Error (Gpu) names the need and the budget, or the limit of the driver.
   Result<std::shared_ptr<const ShadowBlock>> allocate(Texels texels, int resolution, int layers,
                                                       int faces = 1);
   Result<std::shared_ptr<const DeepBlock>> allocateDeep(std::size_t elements);
   /// Every array and the deep buffer to their texture units.
   void bind() const;
-  std::size_t bytes() const;
+  std::size_t bytes() const;      ///< of its textures and buffers
+  std::size_t usedBytes() const;  ///< of the maps that lie there
 
  private:
   std::shared_ptr<ShadowStoreState> state_;

@@ -1,7 +1,9 @@
 // `pileus render`: pictures, overrides, sequences, and every kind of bad input with its exit code and
 // message.
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "editor/cli/render_target.h"
 #include "nodes/file/serialize.h"
@@ -349,6 +351,54 @@ TEST(FramePattern, TheLastRunOfOneKindIsTheFrame) {
   }
   EXPECT_EQ(path("x_%04d#.exr"),
             "error: x_%04d#.exr: both '#' and '%04d' could be the frame; use one of them");
+}
+
+/// Every frame another sky and other suns.
+std::string longGraph() {
+  return R"({ "pileus": 1, "settings": { "size": [24, 14], "frames": [1, 600] },
+  "nodes": {
+    "Cloud": { "type": "volume.cloud", "at": [0, 0], "params": { "resolution": 24, "coverage": 0.7,
+               "seed": { "keys": [[1, 1, "linear"], [600, 600, "linear"]] } } },
+    "Sun": { "type": "light.sun", "at": [0, 0], "params": { "angle": 3, "disc_samples": 4,
+             "azimuth": { "keys": [[1, 0, "linear"], [600, 359, "linear"]] } } },
+    "Metric": { "type": "shadow.pseudometric", "at": [0, 0], "params": { "resolution": 128 } },
+    "Extinction": { "type": "shadow.extinction", "at": [0, 0], "params": {} },
+    "Render": { "type": "render.volume", "at": [0, 0], "params": { "samples": 1 } },
+    "View": { "type": "output.view", "at": [0, 0], "params": {} } },
+  "links": [ "Cloud.volume -> Metric.volumes", "Sun.light -> Metric.light", "Metric.metric -> Extinction.metric",
+             "Cloud.volume -> Render.volumes", "Extinction.light -> Render.lights", "Render.image -> View.image" ] })";
+}
+
+/// Resident bytes after each frame.
+std::vector<double> residentOf(const fs::path& stats) {
+  std::vector<double> out;
+  std::ifstream file(stats);
+  for (const auto& frame : nlohmann::json::parse(file)["frames"])
+    out.push_back(frame["residentBytes"].get<double>());
+  return out;
+}
+
+TEST(Render, ASequenceNeedsTheMemoryOfOneFrame) {
+  const char* many = std::getenv("PILEUS_LONG_FRAMES");
+  const int frames = many ? std::max(std::atoi(many), 21) : 120;
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", longGraph());
+  const auto r = test::pileus({"render", file, "-o", folder / "a.####.exr", "--frames",
+                               fmt::format("1-{}", frames), "--stats", folder / "s.json"},
+                              2400);
+  ASSERT_EQ(r.exitCode, 0) << r.err;
+  const std::vector<double> resident = residentOf(folder / "s.json");
+  ASSERT_EQ(resident.size(), std::size_t(frames));
+  // The allocator keeps some of what was freed; a frame's maps alone are 5 MiB.
+  EXPECT_NEAR(resident.back() / resident[19], 1, 0.05)
+      << resident[19] / (1 << 20) << " MiB, then " << resident.back() / (1 << 20);
+}
+
+TEST(Render, ABudgetThatHoldsAFrameHoldsASequence) {
+  const fs::path folder = test::scratchFolder(), file = write(folder, "a.json", longGraph());
+  // Found by trial: one frame needs between 18 and 20 MiB in all.
+  const auto r =
+      test::pileus({"render", file, "-o", folder / "a.####.exr", "--frames", "1-8", "--gpu-memory", "24"});
+  EXPECT_EQ(r.exitCode, 0) << r.err;
 }
 
 TEST(Render, DegenerateScenesStayFinite) {

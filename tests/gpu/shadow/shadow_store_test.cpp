@@ -143,6 +143,70 @@ TEST(ShadowStore, AStoreThatCannotGrowKeepsItsMaps) {
   expectFilled(block, 3);
 }
 
+TEST(ShadowStore, MapsNobodyWaitsForMakeRoom) {
+  test::renderer();
+  constexpr std::size_t kOne = std::size_t(64) * 64 * 16 * 2;  // bytes of one of these maps
+  ShadowStore store(3 * kOne);
+  std::vector<BlockPtr> old;
+  int asked = 0;
+  store.setReclaim(&old, [&](std::size_t bytes) {
+    EXPECT_EQ(bytes, kOne);
+    ++asked;
+    if (old.size() < 2) return false;
+    old.erase(old.begin());
+    return true;
+  });
+  for (int i = 0; i < 20; ++i) {
+    BlockPtr block = allocate(store, 64, 2);
+    ASSERT_TRUE(block) << i;
+    fill(block, float(i));
+    old.push_back(block);
+    for (const BlockPtr& each : old)
+      expectFilled(each, float(i) - float(old.size() - 1 - std::size_t(&each - old.data())));
+  }
+  EXPECT_EQ(old.size(), 3u);
+  EXPECT_EQ(asked, 17);
+  EXPECT_EQ(store.usedBytes(), 3 * kOne);
+  EXPECT_LE(store.bytes(), 3 * kOne);
+  const std::size_t before = old.size();
+  EXPECT_FALSE(store.allocate(Texels::Float, 1024, 2));
+  EXPECT_EQ(old.size(), before) << "what can never fit drives nothing out";
+}
+
+TEST(ShadowStore, WhatLiesEmptyIsNoHindrance) {
+  test::renderer();
+  constexpr std::size_t kMiB = std::size_t(1) << 20;
+  ShadowStore store(2 * kMiB);
+  const BlockPtr small = allocate(store, 16, 1);
+  fill(small, 5);
+  { EXPECT_TRUE(store.allocate(Texels::Float, 256, 1)); }  // 1 MiB, given up at once
+  {
+    // Wide once, narrow now: six layers as wide would be 6 MiB.
+    const auto narrow = store.allocate(Texels::Float, 64, 6);
+    ASSERT_TRUE(narrow) << narrow.error().message;
+    expectFilled(small, 5);
+  }
+  { EXPECT_TRUE(store.allocate(Texels::Float, 256, 1)); }
+  { EXPECT_TRUE(store.allocateDeep(kMiB / 8)); }
+  const auto half = store.allocate(Texels::Half, 256, 3);  // 1.5 MiB
+  ASSERT_TRUE(half) << half.error().message;
+  expectFilled(small, 5);
+  EXPECT_LE(store.bytes(), 2 * kMiB);
+}
+
+TEST(ShadowStore, RefusalsAgreeWithThemselves) {
+  test::renderer();
+  ShadowStore store(16 * 16 * 16 - 1);  // a byte less than the least map
+  const auto refused = store.allocate(Texels::Float, 16, 1);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("would need 0.1 MiB"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("0.0 MiB are set aside"), std::string::npos)
+      << refused.error().message;
+  const auto deep = store.allocateDeep(1 << 17);
+  ASSERT_FALSE(deep);
+  EXPECT_NE(deep.error().message.find("1.0 MiB"), std::string::npos) << deep.error().message;
+}
+
 TEST(ShadowStore, BarriersStandBehindEveryDispatchThatWritesMaps) {
   const shadow::Gpu shared = test::renderer().gpu();
   ShadowStore store(kPlenty);

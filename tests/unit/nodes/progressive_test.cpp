@@ -1,11 +1,14 @@
 // The protocol of unfinished values, keys, budgets and the cache, with node types made for the purpose.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <thread>
 
 #include "nodes/declare/describe.h"
 #include "nodes/evaluate/evaluator.h"
+#include "nodes/evaluate/node_inputs.h"
 #include "renderer/base/log.h"
 #include "tests/support/support.h"
 
@@ -86,6 +89,24 @@ Result<Out> readAll(const In& in, EvalContext& ctx) {
 }
 Result<Out> readFrame(const In& in, EvalContext& ctx) { return Out{marked(in.value + ctx.frame())}; }
 
+/// Grids that are alive, and the most there were at once.
+int grids = 0, mostGrids = 0;
+
+/// A grid of a MiB for each frame.
+Result<Out> makeGrid(const In& in, EvalContext& ctx) {
+  auto* grid = new volume::BrickGrid;
+  grid->payloadCount = (1u << 20) / volume::kStoredVoxels + 1;
+  mostGrids = std::max(mostGrids, ++grids);
+  Out out{marked(in.value + ctx.frame())};
+  out.volume.items[0].grid = volume::GridPtr(grid, [](const volume::BrickGrid* g) { --grids, delete g; });
+  return out;
+}
+
+struct NumberOut {
+  double number = 0;
+};
+Result<NumberOut> makeNumber(const In&, EvalContext& ctx) { return NumberOut{ctx.frame() < 100 ? 7.0 : 8.0}; }
+
 void describeIt(Describe<In, Out>& d) {
   d.in("volume", &In::volume).many();
   d.in("camera", &In::camera);
@@ -111,6 +132,14 @@ const NodeType* lookup(std::string_view id) {
       makeNode<In, Out>("t.script", 1, describeIt, runScript),
       makeNode<In, Out>("t.pass", 1, describeIt, pass),
       makeNode<In, Out>("t.frame", 1, describeUses<UsesFrame>, pass),
+      makeNode<In, Out>("t.grid", 1, describeUses<UsesFrame>, makeGrid),
+      makeNode<In, NumberOut>(
+          "t.number", 1,
+          [](Describe<In, NumberOut>& d) {
+            d.uses(UsesFrame);
+            d.out("number", &NumberOut::number);
+          },
+          makeNumber),
       makeNode<In, Out>("t.size", 1, describeUses<UsesSize>, pass),
       makeNode<In, Out>("t.quality", 1, describeUses<UsesQuality>, pass),
       makeNode<In, Out>("t.free", 1, describeUses<UsesFreeCamera>, pass),
@@ -290,6 +319,113 @@ TEST_F(Progressive, OldResultsAreDroppedBeyondTheLimit) {
   evaluator.setCacheLimit(0);
   for (int i = 0; i < 6; ++i) run();
   EXPECT_EQ(calls("S"), before + 1) << "what is in use stays, whatever the limit";
+}
+
+TEST_F(Progressive, ErrorsOfMemoryAreTriedAgainAtTheNextRequestAndNotBefore) {
+  add("S2", "t.script");
+  Node other = *graph.nodes["S2"];
+  other.params["value"] = 7.0;
+  graph.nodes["S2"] = std::make_shared<const Node>(other);
+  graph.links.push_back({"S2", "volume", "P", "volume"});
+  script.steps = {Script::Fail, Script::Pending, Script::Pending};
+  EXPECT_FALSE(run().complete);
+  EXPECT_EQ(state("S"), NodeState::Failed);
+  EXPECT_FALSE(run().complete);
+  EXPECT_EQ(calls("S"), 1u) << "the same request: S2 still waits for its job";
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(state("P"), NodeState::Skipped);
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(calls("S"), 2u);
+  EXPECT_EQ(state("P"), NodeState::Ready) << "there is memory now";
+  EXPECT_EQ(calls("S2"), 3u);
+}
+
+TEST_F(Progressive, WhatNobodyWaitsForIsCancelledOnceARequestIsAnswered) {
+  script.steps = {Script::Pending, Script::Finish};
+  EXPECT_FALSE(run().complete);
+  EXPECT_EQ(script.alive, 1);
+  value(2);
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(script.alive, 0) << "no further call may come: nothing moves";
+}
+
+TEST_F(Progressive, DraftsGoAsSoonAsTheyAreUnwanted) {
+  add("Q", "t.quality");
+  add("End", "t.pass");
+  graph.links.push_back({"P", "volume", "Q", "volume"});
+  graph.links.push_back({"Q", "volume", "End", "volume"});
+  const auto ask = [&](double v, Quality quality) {
+    value(v);
+    settings.quality = quality;
+    evaluator.evaluate(graph, {"End"}, settings);
+    return std::array{calls("S"), calls("Q"), calls("End")};
+  };
+  using Calls = std::array<std::uint64_t, 3>;
+  EXPECT_EQ(ask(1, Quality::Draft), (Calls{1, 1, 1}));
+  EXPECT_EQ(ask(2, Quality::Draft), (Calls{2, 2, 2}));
+  EXPECT_EQ(ask(1, Quality::Draft), (Calls{2, 3, 3})) << "what is the same in a draft is kept";
+  EXPECT_EQ(ask(1, Quality::Final), (Calls{2, 4, 4}));
+  EXPECT_EQ(ask(2, Quality::Final), (Calls{2, 5, 5}));
+  EXPECT_EQ(ask(1, Quality::Draft), (Calls{2, 5, 5})) << "and what was final";
+}
+
+TEST_F(Progressive, OfASequenceOneFrameIsKept) {
+  add("Grid", "t.grid");
+  add("Number", "t.number");
+  add("Numbered", "t.script");
+  graph.links.push_back({"Grid", "volume", "P", "volume"});
+  graph.links.push_back({"Number", "number", "Numbered", "value"});
+  graph.links.push_back({"Numbered", "volume", "P", "volume"});
+  evaluator.setCacheLimit(0);
+  mostGrids = grids;
+  for (settings.frame = 1; settings.frame <= 5; ++settings.frame) EXPECT_TRUE(run().complete);
+  EXPECT_EQ(mostGrids, 1) << "a frame goes before the next is made";
+  EXPECT_EQ(calls("Grid"), 5u);
+  EXPECT_EQ(calls("S"), 1u) << "what is the same in all frames stays";
+  EXPECT_EQ(calls("Numbered"), 1u) << "also where a number that is worked out anew comes to the same";
+  settings.frame = 100;
+  EXPECT_TRUE(run().complete);
+  EXPECT_EQ(calls("Numbered"), 2u);
+  evaluator.clear();
+  EXPECT_EQ(grids, 0);
+}
+
+TEST_F(Progressive, WhatResultsShareIsCountedOnce) {
+  add("Grid", "t.grid");
+  graph.links.push_back({"Grid", "volume", "P", "volume"});
+  run();
+  const std::size_t one = evaluator.keptBytes();
+  EXPECT_NEAR(double(one), 1 << 20, volume::kStoredVoxels) << "two results hold one grid";
+  evaluator.setCacheLimit(one * 3);
+  for (settings.frame = 2; settings.frame <= 60; ++settings.frame) {
+    run();
+    EXPECT_LE(evaluator.keptBytes(), one * 3) << settings.frame;
+  }
+  EXPECT_EQ(grids, 3);
+  evaluator.clear();
+  EXPECT_EQ(evaluator.keptBytes(), 0u);
+  EXPECT_EQ(grids, 0);
+}
+
+TEST_F(Progressive, AnotherDocumentsNamesMeanOtherNodes) {
+  run();
+  value(2);
+  script = {.steps = {Script::Pending}};
+  evaluator.forgetNames();
+  run();
+  EXPECT_EQ(evaluator.lastGood("P", "volume"), nullptr) << "of a node of that name in the document before";
+}
+
+TEST(ContentKey, OfARegionHoldsWhatStandsAroundIt) {
+  const NodeType& type = *findNodeType("render.volume");
+  NodeInputs in;
+  in.links.resize(type.inputs.size());
+  in.keys.resize(type.inputs.size());
+  EvalSettings settings, other;
+  other.around = Hasher().add("another picture").key();
+  EXPECT_EQ(contentKey(type, in, settings), contentKey(type, in, other)) << "nothing is around the whole";
+  settings.region.max = other.region.max = dvec2(0.5);
+  EXPECT_NE(contentKey(type, in, settings), contentKey(type, in, other));
 }
 
 TEST_F(Progressive, EqualNodesShareOneResult) {

@@ -131,7 +131,7 @@ FittedNode fittedToScene(const nodes::Graph& graph, const std::string& name, con
   const double edge = std::max({size.x, size.y, size.z});
   // The defaults stand well in a scene of some metres.
   if (!std::isfinite(edge) || edge <= 0 || (edge > 0.5 && edge < 8)) return {graph, {}};
-  const auto round = [](double v) {  // to 1, 2 or 5 times a power of ten
+  const auto rounded = [](double v) {  // to 1, 2 or 5 times a power of ten
     const double decade = std::pow(10, std::floor(std::log10(v)));
     return decade * (v / decade < 1.5 ? 1 : v / decade < 3.5 ? 2 : v / decade < 7.5 ? 5 : 10);
   };
@@ -139,15 +139,15 @@ FittedNode fittedToScene(const nodes::Graph& graph, const std::string& name, con
   const dvec3 middle = bounds.center();
   std::string note;
   if (node->type == "solid.plane") {
-    to.scale = dvec3(round(4 * edge), to.scale.y, round(4 * edge));
+    to.scale = dvec3(rounded(4 * edge), to.scale.y, rounded(4 * edge));
     to.position = {middle.x, bounds.min.y, middle.z};
     note = fmt::format("{}: {:g} m wide, under the volumes", name, to.scale.x);
   } else if (node->type == "volume.box" || node->type == "solid.box") {
-    to.scale *= round(0.3 * edge) / std::max({to.scale.x, to.scale.y, to.scale.z});
+    to.scale *= rounded(0.3 * edge) / std::max({to.scale.x, to.scale.y, to.scale.z});
     to.position = middle;
     note = fmt::format("{}: {:g} m wide, for a scene of {:.3g} m", name, to.scale.x, edge);
   } else if (node->type == "volume.sphere") {
-    to.scale = dvec3(round(0.15 * edge));
+    to.scale = dvec3(rounded(0.15 * edge));
     to.position = middle;
     note = fmt::format("{}: radius {:g} m, for a scene of {:.3g} m", name, to.scale.x, edge);
   } else if (node->type == "light.point" || node->type == "light.spot") {

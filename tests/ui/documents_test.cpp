@@ -32,7 +32,7 @@ void open(const UiSession& ui, const fs::path& file) {
 
 TEST(Documents, FiftyInARowEachHaveTheirPicture) {
   // The canvas draws pictures too: nothing that a frame has drawn with goes while it is drawn.
-  UiSession ui({1280, 800}, {graphFile("0.json").string()}, {{"showThumbnails", true}});
+  UiSession ui({1280, 800}, {graphFile("0.json").string()}, json::object({{"showThumbnails", true}}));
   ASSERT_TRUE(ui.running()) << ui.log();
   ui.finishPicture();
   for (int i = 1; i <= 50; ++i) {
@@ -122,7 +122,7 @@ TEST(Documents, QuittingAsksForARunningExport) {
 }
 
 TEST(Documents, ADragDuringPlaybackSetsOneKey) {
-  UiSession ui({1280, 800}, {graphFile("animated.json").string()}, {{"showTimeline", true}});
+  UiSession ui({1280, 800}, {graphFile("animated.json").string()}, json::object({{"showTimeline", true}}));
   ASSERT_TRUE(ui.running()) << ui.log();
   ui.finishPicture();
   ui.click("header/Sun");
@@ -164,7 +164,8 @@ TEST(Documents, PlaybackOnASlowMachineShowsPictures) {
     "View": { "type": "output.view", "at": [560, 0] } },
   "links": [)" << links
                       << R"("Box.volume -> Render.volumes", "Render.image -> View.image" ] })";
-  UiSession ui({1280, 800}, {file.string()}, {{"showTimeline", true}}, {}, {"PILEUS_UI_FRAME_MS=450"});
+  UiSession ui({1280, 800}, {file.string()}, json::object({{"showTimeline", true}}), {},
+               {"PILEUS_UI_FRAME_MS=450"});
   ASSERT_TRUE(ui.running()) << ui.log();
   ui.click("timeline/play");
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["playing"] == 1; }));

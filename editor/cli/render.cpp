@@ -17,6 +17,7 @@
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/picture_layers.h"
 #include "nodes/file/still_metadata.h"
+#include "nodes/graph/graph_change.h"
 #include "renderer/base/file.h"
 #include "renderer/base/profile.h"
 #include "renderer/gl/context.h"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/flatten.h"
 

@@ -80,6 +80,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
       Read read;
       PILEUS_TRY(read.imported, volume::importVdb(path, grid, control, {}, surfaces));
       read.fit = volume::autofit(*read.imported.grid);
+      read.stray = strayOf(*read.imported.grid);
       return read;
     });
   if (!job->done()) {

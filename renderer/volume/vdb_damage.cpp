@@ -89,7 +89,7 @@ class Extent : private openvdb::io::Archive {
 
 Result<std::vector<ListedGrid>> listGrids(const std::filesystem::path& path) { return Extent().read(path); }
 
-int newestVdbFormat() { return OPENVDB_FILE_VERSION; }
+int newestVdbFormat() { return openvdb::OPENVDB_FILE_VERSION; }
 
 std::optional<std::string> absurdBounds(ivec3 lowest, ivec3 highest) {
   std::int64_t largest = 0;

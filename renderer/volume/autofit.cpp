@@ -20,30 +20,31 @@ double ownVoxel(const BrickGrid& grid, const Brick& brick, ivec3 at) {
   return double(brick.offset) + double(brick.scale) * std::to_integer<unsigned>(grid.bytes(brick)[i]) / 255;
 }
 
-/// Cells of a level, from..to inclusive.
-struct Cells {
-  ivec3 from, to;
-};
+/// About how much lies in a brick: every eighth voxel stands for those next to it, and one that is hardly
+/// anything still counts as its largest.
+double weightOf(const BrickGrid& grid, const Brick& brick) {
+  double sum = 0;
+  for (int k = 0; k < kBrickSize; ++k)
+    for (int j = k % 2; j < kBrickSize; j += 2)
+      for (int i = (j / 2 + k) % 4; i < kBrickSize; i += 4)
+        sum += std::max(0.0, ownVoxel(grid, brick, {i, j, k}));
+  return std::max(8 * sum, double(brick.maximum));
+}
 
-/// How much lies in each slab of cells, along the three axes.
-std::array<std::vector<double>, 3> slabs(const BrickGrid& grid, const Level& level, const Cells& cells) {
+/// How much lies in each slab of the finest bricks, along the three axes. Coarser levels would not do: beside
+/// what is dense they round single voxels to nothing.
+std::array<std::vector<double>, 3> slabs(const BrickGrid& grid) {
+  const Level& level = grid.levels.front();
   std::array<std::vector<double>, 3> sums;
-  for (int a = 0; a < 3; ++a) sums[std::size_t(a)].resize(std::size_t(cells.to[a] - cells.from[a] + 1));
-  const ivec3 b0 = cells.from / kBrickSize, b1 = cells.to / kBrickSize;
-  for (int z = b0.z; z <= b1.z; ++z)
-    for (int y = b0.y; y <= b1.y; ++y)
-      for (int x = b0.x; x <= b1.x; ++x) {
+  for (int a = 0; a < 3; ++a) sums[std::size_t(a)].resize(std::size_t(level.bricks[a]));
+  for (int z = 0; z < level.bricks.z; ++z)
+    for (int y = 0; y < level.bricks.y; ++y)
+      for (int x = 0; x < level.bricks.x; ++x) {
         const Brick& brick = level.at({x, y, z});
         if (!(brick.maximum > 0)) continue;
-        const ivec3 corner = ivec3(x, y, z) * kBrickSize, lo = glm::max(cells.from - corner, ivec3(0)),
-                    hi = glm::min(cells.to - corner, ivec3(kBrickSize - 1));
-        for (int k = lo.z; k <= hi.z; ++k)
-          for (int j = lo.y; j <= hi.y; ++j)
-            for (int i = lo.x; i <= hi.x; ++i) {
-              const double v = std::max(0.0, ownVoxel(grid, brick, {i, j, k}));
-              const ivec3 at = corner + ivec3(i, j, k) - cells.from;
-              for (int a = 0; a < 3; ++a) sums[std::size_t(a)][std::size_t(at[a])] += v;
-            }
+        const double weight = weightOf(grid, brick);
+        const ivec3 at(x, y, z);
+        for (int a = 0; a < 3; ++a) sums[std::size_t(a)][std::size_t(at[a])] += weight;
       }
   return sums;
 }
@@ -104,38 +105,20 @@ Box3 bulkBounds(const BrickGrid& grid) {
   if (grid.empty()) return {};
   const dvec3 size = grid.indexBounds.size();
   if (std::max({size.x, size.y, size.z}) < kSmall) return grid.indexBounds;
-  // From coarse to fine: each level only where the last one left something, until cells are fine enough.
-  constexpr int kToSee = 16, kToMeasure = 64;  // cells along the longest axis
-  Cells cells{ivec3(0), grid.levels.back().bricks * kBrickSize - 1};
-  bool cut = false;
-  for (int level = static_cast<int>(grid.levels.size()) - 1;; --level) {
-    const Level& l = grid.levels[std::size_t(level)];
-    cells.to = glm::min(cells.to, l.bricks * kBrickSize - 1);
-    const auto sums = slabs(grid, l, cells);
-    for (int a = 0; a < 3; ++a) {
-      if (*std::max_element(sums[std::size_t(a)].begin(), sums[std::size_t(a)].end()) <= 0)
-        return grid.indexBounds;  // nothing above 0
-      const ivec2 kept = withoutStrays(sums[std::size_t(a)]);
-      const auto holds = [&](int i) { return sums[std::size_t(a)][std::size_t(i)] > 0; };
-      for (int i = 0; i < kept.x; ++i) cut = cut || holds(i);
-      for (int i = kept.y + 1; i < static_cast<int>(sums[std::size_t(a)].size()); ++i) cut = cut || holds(i);
-      cells.to[a] = cells.from[a] + kept.y;
-      cells.from[a] += kept.x;
-    }
-    const ivec3 span = cells.to - cells.from + 1;
-    const int longest = std::max({span.x, span.y, span.z});
-    if (level == 0 || longest >= (cut ? kToMeasure : kToSee)) {
-      if (!cut) return grid.indexBounds;
-      // A cell is the mean of voxels 2^level i .. + 2^level - 1; a voxel's value reaches one further.
-      const double edge = std::exp2(level);
-      Box3 box{dvec3(grid.origin) + dvec3(cells.from) * edge - 1.0,
-               dvec3(grid.origin) + dvec3(cells.to + 1) * edge};
-      box.min = glm::max(box.min, grid.indexBounds.min);
-      box.max = glm::min(box.max, grid.indexBounds.max);
-      return box;
-    }
-    cells = {cells.from * 2, cells.to * 2 + 1};
+  const auto sums = slabs(grid);
+  Box3 box = grid.indexBounds;
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<double>& along = sums[std::size_t(a)];
+    if (*std::max_element(along.begin(), along.end()) <= 0) return grid.indexBounds;  // nothing above 0
+    const ivec2 kept = withoutStrays(along);
+    const auto holds = [](double v) { return v > 0; };
+    // A voxel's value reaches one further.
+    if (std::any_of(along.begin(), along.begin() + kept.x, holds))
+      box.min[a] = std::max(box.min[a], double(grid.origin[a] + kept.x * kBrickSize) - 1);
+    if (std::any_of(along.begin() + kept.y + 1, along.end(), holds))
+      box.max[a] = std::min(box.max[a], double(grid.origin[a] + (kept.y + 1) * kBrickSize));
   }
+  return box;
 }
 
 Box3 bulkBounds(const Instance& i) {

@@ -141,7 +141,7 @@ TEST(Fields, NamesTextsAndSettingsAreTakenAsWell) {
   // A file, left for the viewport.
   select(ui, "File", "browse/file");
   const json r = ui.trace()["rects"]["param/file"];
-  ui.click({r[0].get<double>() + 25, r[1].get<double>() + 12});
+  ui.click(Point{r[0].get<double>() + 25, r[1].get<double>() + 12});
   ui.type("smoke.vdb");
   ui.click("header/Box");
   EXPECT_TRUE(becomes(ui, "File", "file", "smoke.vdb"));

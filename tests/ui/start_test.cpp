@@ -225,7 +225,7 @@ TEST(Start, WorkSurvivesAKillAndATermination) {
     // Ended from outside: what is unsaved is kept at once.
     ::kill(ui.process(), SIGTERM);
     EXPECT_EQ(ui.waitExit(), 0) << ui.log();
-    EXPECT_EQ(recoveryFiles(ui), 1u);
+    EXPECT_EQ(recoveryFiles(ui), 2u) << "as it was opened and as it was left";
   }
   {
     UiSession ui({1440, 900}, {}, json::object(), home);

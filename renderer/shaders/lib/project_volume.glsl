@@ -90,11 +90,13 @@ void projectVolume(int v, MapRay ray, float m[METRIC_FLOATS], float w[kIntervals
     float ds = (to - from) / float(n);
     // Neighbouring steps are projected together while they span little of a basis period; behind a horizon
     // only their sum counts.
-    float share = 1.0;
+    float share = 1.0;  // of u
 #if METRIC == METRIC_INTERVAL && BASIS != BASIS_PIECEWISE
-    share = metricU(METRIC, METRIC_COUNT, m, w, (r.anchor + to) * toX) - metricU(METRIC, METRIC_COUNT, m, w, (r.anchor + from) * toX);
+    share = metricU(METRIC, METRIC_COUNT, m, w, (r.anchor + to) * toX) -
+            metricU(METRIC, METRIC_COUNT, m, w, (r.anchor + from) * toX);
 #endif
-    int chunk = behind ? 1 << 20 : int(clamp(float(n) / (float(4 * BASIS_FLOATS) * max(share, 1e-3)), 1.0, 8.0)), i = 0;
+    float fitting = float(n) / (float(4 * BASIS_FLOATS) * max(share, 1e-3));
+    int chunk = behind ? 1 << 20 : int(clamp(fitting, 1.0, 8.0)), i = 0;
     do {
       // On to the next step with something in it: llvmpipe would project the empty ones too.
       float m0 = 0.0;

@@ -49,7 +49,9 @@ float phaseOf(int v, float w, float cosine) { return phaseHg(cosine, w); }
 #endif
 
 // Scattering per unit length and solid angle of one volume: sigma_s p.
-vec3 scattering(vec4 albedo, vec4 medium, float phase) { return medium.w * (albedo.rgb * medium.rgb) * phase; }
+vec3 scattering(vec4 albedo, vec4 medium, float phase) {
+  return medium.w * (albedo.rgb * medium.rgb) * phase;
+}
 
 // Of all that are active.
 vec3 scattering(Stretch s, StretchSample x, float cosine) {

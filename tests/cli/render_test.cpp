@@ -373,8 +373,8 @@ std::string longGraph() {
 std::vector<double> residentOf(const fs::path& stats) {
   std::vector<double> out;
   std::ifstream file(stats);
-  for (const auto& frame : nlohmann::json::parse(file)["frames"])
-    out.push_back(frame["residentBytes"].get<double>());
+  const auto all = nlohmann::json::parse(file);
+  for (const auto& frame : all["frames"]) out.push_back(frame["residentBytes"].get<double>());
   return out;
 }
 

@@ -1,14 +1,35 @@
 // pileus: the editor, the command line, and the child process that reads VDB files.
+#include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 #include "editor/app/app.h"
 #include "editor/app/bench_window.h"
 #include "editor/cli/cli.h"
 #include "editor/commands/keyboard.h"
+#include "renderer/base/file.h"
 #include "renderer/volume/vdb_child.h"
+
+namespace {
+
+/// Mesa maps the files of its shader cache: on a full disk the first write to them is a bus error, which ends
+/// the process. There it goes without; our own caches say that they cannot be written to.
+void spareShaderCacheOnAFullDisk() {
+  namespace fs = std::filesystem;
+  constexpr std::uintmax_t kEnough = std::uintmax_t(16) << 20;
+  const char* asked = std::getenv("MESA_SHADER_CACHE_DIR");
+  fs::path folder = asked ? fs::path(asked) : pileus::cacheFolder();
+  std::error_code ec;
+  while (!fs::exists(folder, ec) && folder.has_relative_path()) folder = folder.parent_path();
+  const fs::space_info space = fs::space(folder, ec);
+  if (!ec && space.available < kEnough) ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "import") return pileus::volume::importChildMain(argc, argv);
+  spareShaderCacheOnAFullDisk();
   pileus::cli::EditorSide side;
   side.open = [](const std::filesystem::path& file) {
     pileus::editor::EditorOptions options;

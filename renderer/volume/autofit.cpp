@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -90,6 +92,23 @@ double integral(const BrickGrid& grid, const dmat4& indexFromWorld, const dvec3&
   return sum * length / steps;
 }
 
+Box3 measuredBulk(const BrickGrid& grid) {
+  const auto sums = slabs(grid);
+  Box3 box = grid.indexBounds;
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<double>& along = sums[std::size_t(a)];
+    if (*std::max_element(along.begin(), along.end()) <= 0) return grid.indexBounds;  // nothing above 0
+    const ivec2 kept = withoutStrays(along);
+    const auto holds = [](double v) { return v > 0; };
+    // A voxel's value reaches one further.
+    if (std::any_of(along.begin(), along.begin() + kept.x, holds))
+      box.min[a] = std::max(box.min[a], double(grid.origin[a] + kept.x * kBrickSize) - 1);
+    if (std::any_of(along.begin() + kept.y + 1, along.end(), holds))
+      box.max[a] = std::min(box.max[a], double(grid.origin[a] + (kept.y + 1) * kBrickSize));
+  }
+  return box;
+}
+
 }  // namespace
 
 int levelToMeasure(const BrickGrid& grid) {
@@ -105,20 +124,19 @@ Box3 bulkBounds(const BrickGrid& grid) {
   if (grid.empty()) return {};
   const dvec3 size = grid.indexBounds.size();
   if (std::max({size.x, size.y, size.z}) < kSmall) return grid.indexBounds;
-  const auto sums = slabs(grid);
-  Box3 box = grid.indexBounds;
-  for (int a = 0; a < 3; ++a) {
-    const std::vector<double>& along = sums[std::size_t(a)];
-    if (*std::max_element(along.begin(), along.end()) <= 0) return grid.indexBounds;  // nothing above 0
-    const ivec2 kept = withoutStrays(along);
-    const auto holds = [](double v) { return v > 0; };
-    // A voxel's value reaches one further.
-    if (std::any_of(along.begin(), along.begin() + kept.x, holds))
-      box.min[a] = std::max(box.min[a], double(grid.origin[a] + kept.x * kBrickSize) - 1);
-    if (std::any_of(along.begin() + kept.y + 1, along.end(), holds))
-      box.max[a] = std::min(box.max[a], double(grid.origin[a] + (kept.y + 1) * kBrickSize));
+  // Asked for whenever a light is fitted, and voxels never change.
+  static std::mutex mutex;
+  static std::map<Key, Box3> known;
+  constexpr std::size_t kMost = 4096;
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto it = known.find(grid.content); it != known.end()) return it->second;
   }
-  return box;
+  const Box3 bulk = measuredBulk(grid);
+  const std::lock_guard lock(mutex);
+  if (known.size() >= kMost) known.clear();
+  known[grid.content] = bulk;
+  return bulk;
 }
 
 Box3 bulkBounds(const Instance& i) {

@@ -42,11 +42,6 @@ inline ExactLight asLookedUp(const shadow::ShadowedLight& lit) {
           }};
 }
 
-inline double exactPhase(double cosine, double g) {
-  const double q = (1 - g) * (1 - g) + 2 * g * (1 - cosine);
-  return (1 - g * g) / (4 * kPi * q * std::sqrt(q));
-}
-
 struct Exact {
   dvec3 radiance{0};
   double alpha = 0;

@@ -1,12 +1,11 @@
 // render.volume: the picture.
 #include <algorithm>
-#include <cmath>
 
 #include "nodes/declare/describe.h"
 #include "nodes/types/passes.h"
+#include "nodes/types/render_common.h"
 #include "renderer/gl/storage.h"
 #include "renderer/view/volume_render.h"
-#include "renderer/volume/autofit.h"
 
 namespace pileus::nodes {
 namespace {
@@ -76,42 +75,11 @@ void describe(Describe<In, Out>& d) {
   d.out("image", &Out::image).help("Scene-linear radiance [W/(m^2 sr)], premultiplied, with alpha.");
 }
 
-/// The volumes; solids only where there is nothing else: a wide ground would make clouds tiny.
-Box3 framed(const In& in) {
-  const Box3 volumes = volume::worldBulkBounds(in.volumes.items);
-  return volumes.empty() ? scene::worldBounds(in.solids.items) : volumes;
-}
-
-/// As many pixels as the context allows in a drag, of the picture's shape; in a region they are all spent
-/// there.
-ivec2 draftSize(const view::RenderOptions& o, const EvalContext& ctx, bool software) {
-  const int allowed = ctx.draftPixels() > 0 ? ctx.draftPixels() : software ? 25000 : o.size.x * o.size.y;
-  const dvec2 part = o.region.max - o.region.min;
-  const double pixels = double(o.size.x) * o.size.y * std::clamp(part.x * part.y, 1e-4, 1.0);
-  const double by = std::max(1.0, std::sqrt(pixels / std::max(allowed, 1)));
-  return glm::max(ivec2(glm::round(dvec2(o.size) / by)), ivec2(1));
-}
-
 Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& passes) {
-  view::RenderOptions options;
-  options.size = ctx.size();
-  options.samples = in.samples;
+  view::RenderOptions options = pictureOptions(ctx, in.camera, in.volumes, in.solids, in.samples, software);
   options.stepScale = in.step_scale;
-  options.layer = ctx.layer();
-  options.region = ctx.region();
-  const double aspect = double(options.size.x) / options.size.y;
-  if (in.camera.camera)
-    options.camera = *in.camera.camera;
-  else if (ctx.freeCamera())
-    options.camera = *ctx.freeCamera();
-  else
-    options.camera = scene::frameBounds(framed(in), aspect);
-  if (ctx.quality() == Quality::Draft) {
-    options.samples = 1;
-    options.size = draftSize(options, ctx, software);
-    if (software) options.stepScale *= 1.5;
-  }
-  const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
+  if (ctx.quality() == Quality::Draft && software) options.stepScale *= 1.5;
+  const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items, {}, true};
   passes.push_back(std::make_unique<Pass>("", scene));
   passes.back()->beginWith(ctx.seed());
   if (ctx.quality() == Quality::Final) addLayers(passes, scene, ctx.extra());

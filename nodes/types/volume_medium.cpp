@@ -27,6 +27,7 @@ constexpr auto enumInfo(PhaseKind*) {
 struct In {
   VolumeValue volume;
   double extinction = 1;
+  Color extinction_color{vec3(1.0f)};
   Color albedo{vec3(1.0f)};
   PhaseKind phase = PhaseKind::HenyeyGreenstein;
   double anisotropy = 0;
@@ -49,6 +50,13 @@ void describe(Describe<In, Out>& d) {
       .range(0, 1e6)
       .soft(0, 20)
       .help("sigma_t per unit of density.");
+  d.in("extinction_color", &In::extinction_color)
+      .label("Extinction color")
+      .range(0, 100)
+      .soft(0, 1)
+      .help(
+          "Tint of the extinction: what passes takes the other colors. 'Path Trace' follows each channel; "
+          "'Volume Render' and shadow maps take the mean of the three.");
   d.in("albedo", &In::albedo)
       .range(0, 1)
       .help("The scattered part of what is extinguished; 1 absorbs nothing.");
@@ -108,7 +116,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   warnOfClamps(in, ctx);
   Out out{in.volume};
   for (volume::Instance& instance : out.volume.items)
-    instance.medium = {in.extinction, in.albedo.rgb, phaseOf(in)};
+    instance.medium = {in.extinction, in.albedo.rgb, phaseOf(in), in.extinction_color.rgb};
   return out;
 }
 

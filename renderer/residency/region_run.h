@@ -26,6 +26,8 @@ class RegionRun {
   void list(ivec2 size, std::span<const PixelBounds> bounds, int items = 0) {
     tiles_.build(table_, size, bounds, items);
   }
+  /// Lists that no tile of a picture has.
+  void list(std::span<const std::vector<int>> lists) { tiles_.build(table_, lists); }
   /// Makes the program current, with volumes, lists and all else of the table at their binding points.
   Result<void> bind(const BrickPool& bricks, gl::Program& program);
   /// Where shadow items and solids belong, before bind().

@@ -1,7 +1,6 @@
 #include "renderer/residency/tile_lists.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace pileus::residency {
 
@@ -21,6 +20,19 @@ void TileLists::build(SceneTable& table, ivec2 size, std::span<const PixelBounds
   for (std::size_t i = 0; i < bounds.size(); ++i)
     each(bounds[i],
          [&](std::size_t tile) { items[std::size_t(at[tile]++)] = modulo > 0 ? int(i) % modulo : int(i); });
+  table.set(SceneTable::Section::TileOffsets, std::span<const int>(offsets));
+  table.set(SceneTable::Section::TileItems, std::span<const int>(items));
+}
+
+void TileLists::build(SceneTable& table, std::span<const std::vector<int>> lists) {
+  grid_ = {std::max(int(lists.size()), 1), 1};
+  longest_ = 0;
+  std::vector<int> offsets{0}, items;
+  for (const std::vector<int>& list : lists) {
+    items.insert(items.end(), list.begin(), list.end());
+    offsets.push_back(int(items.size()));
+    longest_ = std::max(longest_, int(list.size()));
+  }
   table.set(SceneTable::Section::TileOffsets, std::span<const int>(offsets));
   table.set(SceneTable::Section::TileItems, std::span<const int>(items));
 }

@@ -9,7 +9,17 @@ struct Medium {
   double extinction = 1;  ///< 1/m per unit of density
   vec3 albedo{1.0f};      ///< sigma_s / sigma_t, linear in the working space
   Phase phase;            ///< even, if nothing else is said
+  /// Tint of sigma_t, channel by channel; not negative. What knows no colours of extinction takes their mean.
+  vec3 extinctionColor{1.0f};
 
+  /// Mean of the channels [1/m per unit of density].
+  double meanExtinction() const {
+    return extinction * double(extinctionColor.x + extinctionColor.y + extinctionColor.z) / 3;
+  }
+  /// Of the channel that has most.
+  double largestExtinction() const {
+    return extinction * double(glm::max(extinctionColor.x, glm::max(extinctionColor.y, extinctionColor.z)));
+  }
   bool operator==(const Medium&) const = default;
 };
 

@@ -151,7 +151,7 @@ double addInstance(const volume::Instance& i, const dvec3& from, const dvec3& to
   const LocalSegment s = localSegment(i, from, to);
   if (i.emission || !(s.range.x < s.range.y)) return 0;
   Sum sum(at, out);
-  const double scale = i.medium.extinction * glm::length(to - from);
+  const double scale = i.medium.meanExtinction() * glm::length(to - from);
   if (i.shape == volume::Shape::Grid) {
     addGrid(*i.grid, i.remap.get(), s.o - dvec3(i.grid->origin), s.d, s.range, scale, sum);
   } else {

@@ -45,6 +45,8 @@ std::span<const volume::Instance> drawn(const LightSet& lights) {
   return std::span(lights.volumes()).first(lights.drawnVolumes());
 }
 
+}  // namespace
+
 void setCamera(gl::Program& program, const RenderOptions& o, const dvec3& origin) {
   const glm::dmat3 axes = scene::basis(o.camera);
   const double th = std::tan(glm::radians(o.camera.fov) / 2);
@@ -53,12 +55,8 @@ void setCamera(gl::Program& program, const RenderOptions& o, const dvec3& origin
   program.set("right", vec3(axes[0] * th * (static_cast<double>(o.size.x) / o.size.y)));
   program.set("up", vec3(axes[1] * th));
   program.set("back", vec3(axes[2]));
-  program.set("pixelAngle", static_cast<float>(2 * th / o.size.y));
-  program.set("stepScale", static_cast<float>(o.stepScale));
 }
 
-// Shaders count positions from here: the eye, or what of the drawn media is nearest to it. Seen from far away
-// the light on them is looked up as exactly as from near by.
 dvec3 originOf(const RenderOptions& options, const LightSet& lights) {
   Box3 media;
   for (const volume::Instance& i : drawn(lights)) {
@@ -67,8 +65,6 @@ dvec3 originOf(const RenderOptions& options, const LightSet& lights) {
   }
   return media.empty() ? options.camera.eye : glm::clamp(options.camera.eye, media.min, media.max);
 }
-
-}  // namespace
 
 Result<residency::Residency> CameraMarch::prepare(const shadow::Gpu& gpu, const RenderOptions& options,
                                                   const LightSet& lights, double ms) {
@@ -98,6 +94,9 @@ Result<gl::Program*> CameraMarch::bind(const shadow::Gpu& gpu, const char* entry
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({entry}, all));
   PILEUS_CHECK(run.bind(gpu.bricks, *program));
   setCamera(*program, options, run.origin());
+  program->set("pixelAngle",
+               static_cast<float>(2 * std::tan(glm::radians(options.camera.fov) / 2) / options.size.y));
+  program->set("stepScale", static_cast<float>(options.stepScale));
   program->set("solidCount", int(lights.drawnSolids()));
   return program;
 }

@@ -10,6 +10,12 @@
 
 namespace pileus::view {
 
+/// Uniforms of lib/camera.glsl, places relative to `origin`.
+void setCamera(gl::Program& program, const RenderOptions& options, const dvec3& origin);
+/// Shaders count positions from here: the eye, or what of the drawn media is nearest to it. Seen from far
+/// away the light on them is looked up as exactly as from near by.
+dvec3 originOf(const RenderOptions& options, const LightSet& lights);
+
 class CameraMarch {
  public:
   /// Uploads the bricks of these lights' volumes for about `ms` milliseconds; go on once its fraction is 1.

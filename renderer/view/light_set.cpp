@@ -21,7 +21,7 @@ gpu::SolidRecord makeRecord(const scene::Solid& solid, const dvec3& origin) {
 }  // namespace
 
 LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes,
-                   const scene::SolidList& solids, bool emission)
+                   const scene::SolidList& solids, bool emission, Casters casters)
     : lights_(std::move(lights)),
       volumes_(emission ? residency::canonicalWithEmission(volumes) : residency::canonical(volumes)),
       drawnVolumes_(volumes_.size()),
@@ -43,7 +43,7 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
   for (const shadow::ShadowedLight& l : lights_) {
     blockers_.push_back(l.shadow ? rangeOf(l.shadow->solids) : ivec2(0));
     const int first = int(marchItems_.size());
-    if (l.shadow && l.shadow->kind == shadow::ShadowMap::Kind::RayMarch) {
+    if (l.shadow && (casters == Casters::All || l.shadow->kind == shadow::ShadowMap::Kind::RayMarch)) {
       for (const volume::Instance& i : residency::canonical(l.shadow->volumes)) {
         const Key key = volume::contentKey({i});
         const auto at = std::find(keys.begin(), keys.end(), key);

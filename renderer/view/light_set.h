@@ -2,6 +2,7 @@
 // The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes
 // their shadows march through and the solids that block them. GL thread.
 #include <optional>
+#include <span>
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
@@ -13,15 +14,24 @@ namespace pileus::view {
 
 class LightSet {
  public:
+  /// Whose volumes the set holds, besides those of the pass.
+  enum class Casters {
+    Marched,  ///< of shadows that are marched
+    All       ///< of all shadows, whatever map they have
+  };
   /// `volumes` and `solids` are what the pass itself looks at; `emission`: also at what only emits.
   LightSet(std::vector<shadow::ShadowedLight> lights, const volume::InstanceList& volumes,
-           const scene::SolidList& solids, bool emission = false);
+           const scene::SolidList& solids, bool emission = false, Casters casters = Casters::Marched);
 
   const std::vector<shadow::ShadowedLight>& lights() const { return lights_; }
   /// What a residency::VolumeSet has to hold: the pass's own volumes in canonical order, then those only
   /// shadows march through.
   const volume::InstanceList& volumes() const { return volumes_; }
   std::size_t drawnVolumes() const { return drawnVolumes_; }
+  /// Indices in volumes() of those that cast shadows of a light, as far as the set holds them.
+  std::span<const int> castersOf(std::size_t light) const {
+    return std::span(marchItems_).subspan(std::size_t(marched_[light].x), std::size_t(marched_[light].y));
+  }
   /// The pass's own solids are the first of the solid records.
   std::size_t drawnSolids() const { return drawnSolids_; }
   /// Error (Input) if there are more lights than a dispatch can hold.

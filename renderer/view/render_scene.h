@@ -6,6 +6,7 @@
 #include "renderer/scene/camera.h"
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
+#include "renderer/view/environment_table.h"
 #include "renderer/view/picture_layer.h"
 #include "renderer/volume/instance.h"
 
@@ -25,6 +26,8 @@ struct RenderScene {
   volume::InstanceList volumes;               ///< drawn; those that cast shadows are each shadow's own
   std::vector<shadow::ShadowedLight> lights;  ///< a light is blocked by the solids of its shadow
   scene::SolidList solids;                    ///< drawn
+  RadianceMap environment = {};               ///< light from everywhere; may be empty
+  bool environmentVisible = true;             ///< behind the media
 };
 
 /// Does any of its volumes emit?

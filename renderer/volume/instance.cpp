@@ -69,7 +69,7 @@ bool occupied(const Instance& i, const Brick& brick) {
 }
 
 double majorant(const Instance& i) {
-  return i.emission ? 0.0 : std::max(0.0, largestDensity(i) * i.medium.extinction);
+  return i.emission ? 0.0 : std::max(0.0, largestDensity(i) * i.medium.largestExtinction());
 }
 
 Key contentKey(const InstanceList& instances) {
@@ -79,7 +79,7 @@ Key contentKey(const InstanceList& instances) {
     h.add(i.shape).add(i.density).add(i.medium.extinction);
     for (const scene::PhaseLobe& l : {i.medium.phase.first, i.medium.phase.second}) h.add(l.g).add(l.alpha);
     h.add(i.medium.phase.blend);
-    for (int c = 0; c < 3; ++c) h.add(i.medium.albedo[c]);
+    for (int c = 0; c < 3; ++c) h.add(i.medium.albedo[c]).add(i.medium.extinctionColor[c]);
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r) h.add(i.worldFromLocal[c][r]);
     if (i.grid) h.add(i.grid->content);
@@ -94,7 +94,7 @@ double sigmaAt(const Instance& i, const dvec3& world) {
   const dvec3 p = dvec3(glm::inverse(i.worldFromLocal) * dvec4(world, 1.0));
   double density = rawDensity(i, p);
   if (i.remap) density = inside(localBounds(i), p) ? i.remap->density(density) : 0.0;
-  return std::max(0.0, density * i.medium.extinction);
+  return std::max(0.0, density * i.medium.meanExtinction());
 }
 
 dvec3 emissionAt(const Instance& i, const dvec3& world) {

@@ -42,12 +42,12 @@ double largestDensity(const Instance& instance);
 bool emits(const Instance& instance);
 /// Can there be anything in a brick of its grid?
 bool occupied(const Instance& instance, const Brick& brick);
-/// Largest sigma_t [1/m] anywhere inside.
+/// Largest sigma_t [1/m] anywhere inside, of any channel.
 double majorant(const Instance& instance);
 /// Content key of everything that decides how it looks.
 Key contentKey(const InstanceList& instances);
-/// sigma_t [1/m] at a world position, level 0, in double precision: the CPU twin of sigmaAt in
-/// lib/volume.glsl.
+/// sigma_t [1/m] at a world position, mean of its channels, level 0, in double precision: the CPU twin of
+/// sigmaAt in lib/volume.glsl.
 double sigmaAt(const Instance& instance, const dvec3& world);
 /// Radiance gained per metre there [W/(m^3 sr)], in the same way.
 dvec3 emissionAt(const Instance& instance, const dvec3& world);

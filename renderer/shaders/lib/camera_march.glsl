@@ -3,13 +3,12 @@
 // says what it makes of them: passStep and addSample. Variant constants: SOLIDS (1: there are some to draw),
 // RESUME (1: a ray may take several dispatches, lib/resume.glsl), SHAPES and those of lib/stretch.glsl.
 #pragma once
+#include "lib/camera.glsl"
 #include "lib/stretch.glsl"
 #include "lib/solid.glsl"
 
-uniform ivec2 regionOrigin, regionEnd, size;
-uniform vec3 eye, right, up, back;  // right and up are scaled to half the picture at distance 1
-uniform float pixelAngle;           // footprint [m] of a pixel per metre of distance
-uniform float stepScale;            // steps of so many details
+uniform float pixelAngle;  // footprint [m] of a pixel per metre of distance
+uniform float stepScale;   // steps of so many details
 uniform int solidCount;             // drawn: the first ones
 const bool kSolids = SOLIDS != 0;
 const float kOpaque = 1e-4;      // a ray of less T ends
@@ -44,17 +43,10 @@ float meanThrough(StretchSample x) {
   return depth < 1e-2 ? 1.0 - depth * (0.5 - depth / 6.0) : (1.0 - exp(-depth)) / depth;
 }
 
-ivec2 regionPixel() { return regionOrigin + ivec2(gl_GlobalInvocationID.xy); }
-bool inRegion(ivec2 pixel) { return all(lessThan(pixel, regionEnd)); }
-int regionSlot(ivec2 pixel) {
-  return (pixel.y - regionOrigin.y) * (regionEnd.x - regionOrigin.x) + pixel.x - regionOrigin.x;
-}
-
 // r: xy place in the pixel, z offset of the samples.
 CameraRay cameraRay(ivec2 pixel, vec3 r) {
   CameraRay ray;
-  vec2 ndc = (vec2(pixel) + r.xy) / vec2(size) * 2.0 - 1.0;
-  ray.d = normalize(ndc.x * right - ndc.y * up - back);
+  ray.d = cameraDirection(pixel, r.xy);
   ray.forward = -dot(ray.d, back);
   ray.offset = r.z;
   ray.range = tileRange(pixel);

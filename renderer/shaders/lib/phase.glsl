@@ -16,3 +16,11 @@ float phaseDraine(float cosine, float g, float alpha) {
 float phaseOfLobes(float cosine, vec4 lobes, float blend) {
   return mix(phaseDraine(cosine, lobes.x, lobes.y), phaseDraine(cosine, lobes.z, lobes.w), blend);
 }
+
+// The cosine behind which lies the share u of Henyey and Greenstein's lobe.
+float henyeyGreensteinCosine(float g, float u) {
+  float q = 2.0 * u - 1.0, s = 1.0 + g * q;
+  // Next to 1 and -1 what is left of it is told apart: s may be as small as 1 - |g|.
+  float c = (q * (1.0 + g * g) * (2.0 + g * q) + g * (3.0 - g * g)) / (2.0 * s * s);
+  return clamp(c, -1.0, 1.0);
+}

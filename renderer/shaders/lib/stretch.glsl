@@ -6,9 +6,9 @@
 // Variant constants: ACTIVE (volumes of an overlap kept in registers), OVERFLOW (1: there may be more; they
 // are visited one by one), EMISSION (1: some volumes emit, and it counts; else, and if undefined, no glow)
 // STRETCH_ALBEDO (1: the active ones' albedo is kept too), PHASE_LOBES (1: and with it the lobes of their
-// phase functions, which are not all Henyey and Greenstein's) and DENSE (1: there are voxels through which no
-// light comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch
-// on a constant is none.
+// phase functions, which are not all Henyey and Greenstein's), STRETCH_IDS (1: it is known which volumes they
+// are) and DENSE (1: there are voxels through which no light comes, so that a step looks at its end too, lest
+// a surface is passed between two middles). A branch on a constant is none.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
@@ -22,6 +22,10 @@
 
 #ifndef PHASE_LOBES
 #define PHASE_LOBES 0
+#endif
+
+#ifndef STRETCH_IDS
+#define STRETCH_IDS 0
 #endif
 
 #ifndef DENSE
@@ -51,6 +55,9 @@ struct Stretch {
 #if PHASE_LOBES
   vec4 lobes[ACTIVE];
 #endif
+#endif
+#if STRETCH_IDS
+  int ids[ACTIVE];
 #endif
   int count, rest;        // how many are active; the first of the list that got no register
   vec2 begin, next;       // where it begins and where the next one does: anchor, rest
@@ -91,6 +98,9 @@ Stretch beginStretches(vec3 o, vec3 d, vec2 from, float end, ivec2 range, float 
   s.begin = from, s.next = from, s.span = 0.0;
   s.first = -1, s.level = 0, s.start = placeAt(o + metres(from) * d);
   for (int k = 0; k < ACTIVE; ++k) s.rays[k] = noRay();
+#if STRETCH_IDS
+  for (int k = 0; k < ACTIVE; ++k) s.ids[k] = 0;
+#endif
   s.ds = 0.0, s.voxel = 0.0, s.edge = 0.0, s.at = 0.0, s.wanted = 0.0, s.footprint = 0.0;
   return s;
 }
@@ -131,6 +141,9 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
     for (int k = 0; k < ACTIVE; ++k) {
       if (inside && s.count == k) {
         s.rays[k] = startingAt(ray, s.begin.y - ahead);
+#if STRETCH_IDS
+        s.ids[k] = v;
+#endif
 #if STRETCH_ALBEDO
         s.albedo[k] = albedoOf(v);
 #if PHASE_LOBES

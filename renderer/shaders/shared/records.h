@@ -17,7 +17,7 @@ namespace pileus::gpu {
 
 // One placed volume, VOLUME_ROWS texels of the scene table. Local space is index coordinates relative to the
 // lattice origin for grids, [-0.5,0.5]^3 for boxes, the unit ball.
-#define VOLUME_ROWS 15
+#define VOLUME_ROWS 16
 struct VolumeRecord {
   mat4 localFromWorld;
   mat4 worldFromLocal;
@@ -30,6 +30,7 @@ struct VolumeRecord {
   vec4 remap;  // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d +
                // z; w: empty up to it
   vec4 phase;  // g and alpha of Draine's lobe, and of a second one
+  vec4 tint;   // rgb: sigma_t of a channel by the mean of all three
 };
 
 // Tables of remapped densities follow the volume records in the table: rgb factor of the albedo, w density.

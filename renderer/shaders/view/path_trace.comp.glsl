@@ -1,0 +1,439 @@
+// All orders of scattering, without bias: paths from the camera through null collisions, at each vertex one
+// light chosen by what it would bring, the environment also where the phase function leads. An invocation
+// traces the samples of its pixel one after the other for as long as its share of work lasts, and leaves what
+// the next dispatch goes on from.
+// Variant constants: SOLIDS, ENVIRONMENT, TINTED, TRANSMITTANCE (TRANSMITTANCE_*), ORDER (1: only one range of
+// orders counts) and those of lib/flight.glsl and lib/light_transmittance.glsl.
+#include "shared/path.h"
+#include "lib/camera.glsl"
+#include "lib/environment.glsl"
+#include "lib/flight.glsl"
+#include "lib/light_transmittance.glsl"
+#include "lib/phase.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#ifndef ORDER
+#define ORDER 0
+#endif
+
+layout(rgba32f, binding = IMAGE_MEAN) uniform image2D meanImage;
+layout(rgba32f, binding = IMAGE_DEVIATIONS) uniform image2D deviationImage;
+layout(rgba32f, binding = IMAGE_ODD) uniform image2D oddImage;
+uniform int lightCount;
+uniform int solidCount;
+uniform ivec2 sampleRange;  // of this round: first, one behind the last
+uniform int dispatchIndex, budget;
+uniform int mostBounces;    // vertices that scatter behind the first; what is beyond MOST_BOUNCES is counted
+uniform ivec2 orders;       // with ORDER: of them only from .. up to
+uniform vec2 chances;       // share of the choice by unshadowed power; factor of what maps say
+const bool kSolids = SOLIDS != 0, kEnvironment = ENVIRONMENT != 0;
+const bool kSeries = TRANSMITTANCE == TRANSMITTANCE_SERIES;
+
+struct PathState {
+  vec4 origin, direction;   // of the flight; w: end, left
+  vec4 weight, ratio;       // of the path; w: density of its direction, chance of the environment at its vertex
+  vec4 radiance;            // of the sample; w: alpha
+  vec4 through, pending;    // of a flight that measures; w: place
+  vec4 next;                // direction behind it, its density
+  vec4 nextWeight;          // weight there; w: how far into its stretch the flight is
+  ivec4 counts;             // sample, draws, bounces, flags
+};
+layout(std430, binding = BIND_PATH_STATES) buffer PathStates {
+  int unfinished, above, tooLong, unused_;
+  PathState states[];
+};
+const int kMeasures = 1, kChannel = 2, kFinished = 8, kLight = 16;
+
+int work = 0;
+void spendWork(int iterations) { work += iterations; }
+bool workIsLeft() { return work < budget; }
+
+// Of the path.
+Flight flight;
+vec4 radiance = vec4(0.0);  // rgb, and alpha
+int bounces = 0;            // vertices before the flight
+float density = -1.0;       // of the flight's direction [1/sr]; < 0: there was no choice
+float sky = 0.0;            // chance of the environment at the vertex where it began
+// What a flight that measures brings, and where the path goes on behind it.
+vec3 pending = vec3(0.0), nextDirection = vec3(0.0), nextWeight = vec3(0.0);
+float nextDensity = 0.0;
+int lightOfFlight = -1;     // that is measured; -1: none, or the environment
+
+float luminance(vec3 c) { return dot(c, vec3(0.2722287168, 0.6740817658, 0.0536895174)); }
+
+int bounceLimit() { return mostBounces < 0 ? MOST_BOUNCES : mostBounces; }
+
+// A list of volumes: 0 the drawn ones, 1 + l those that shadow light l.
+ivec2 volumesOf(int list) { return tileRange(ivec2(kTile * list, 0)); }
+
+// What a path brings by its vertices up to there, the first is 0.
+void add(vec3 contribution, int vertex) {
+#if ORDER
+  contribution *= vertex >= orders.x && vertex <= orders.y ? 1.0 : 0.0;
+#endif
+  radiance.rgb += contribution;
+}
+
+// Of what was passed on the flight. Fire is seen, and seen by so many scatterings as there are bounces.
+void addGlow() {
+  add(bounces <= bounceLimit() ? pathGlow : vec3(0.0), bounces);
+  pathGlow = vec3(0.0);
+}
+
+void beginSample(ivec2 pixel, int s) {
+  seedPath(pixel, s);
+  vec3 u = random3();
+  pathWeight = vec3(1.0), pathRatio = vec3(1.0), pathGlow = vec3(0.0);
+  pathChannel = min(int(3.0 * u.z), 2);
+  radiance = vec4(0.0);
+  bounces = 0, density = -1.0, sky = 0.0, lightOfFlight = -1;
+  flight = flightFrom(eye, cameraDirection(pixel, u.xy), kNoHit, volumesOf(0), false);
+}
+
+// Where the flight ends at the latest.
+int endSolid = -1;
+vec3 endNormal = vec3(0.0, 1.0, 0.0);
+void findEnd() {
+  endSolid = -1, endNormal = -flight.d;
+  if (kSolids) flight.end = nearestSolid(solidCount, flight.o, flight.d, endSolid, endNormal);
+}
+
+// What scatters at a vertex: a medium's lobes, or a solid.
+struct Vertex {
+  vec3 p, d;  // and the direction in which it was reached
+  bool solid;
+  vec3 normal;
+  vec4 lobes;
+  float blend;
+  vec3 albedo;
+};
+
+// Scattered per unit of solid angle, but for the albedo [1/sr]; and the density of scatteredDirection.
+float scattersTo(Vertex v, vec3 d) {
+  if (v.solid) return max(dot(v.normal, d), 0.0) / kPi;
+#if PHASE_LOBES
+  return phaseOfLobes(dot(v.d, d), v.lobes, v.blend);
+#else
+  return phaseHg(dot(v.d, d), v.blend);
+#endif
+}
+
+vec3 scatteredDirection(Vertex v) {
+  vec3 u = random3();
+  float cosine;
+  if (v.solid) {
+    cosine = sqrt(u.x);
+  } else {
+#if PHASE_LOBES
+    vec2 lobe = u.z < v.blend ? v.lobes.zw : v.lobes.xy;
+    int tries = 0;
+    bool taken;
+    do {
+      cosine = henyeyGreensteinCosine(lobe.x, u.x);
+      float top = 1.0 + lobe.y;
+      taken = random3().x * top <= 1.0 + lobe.y * cosine * cosine;
+      if (!taken) u.xy = random3().xy;
+      spendWork(1);
+    } while (!taken && ++tries < 1000);
+#else
+    cosine = henyeyGreensteinCosine(v.blend, u.x);
+#endif
+  }
+  return directionAround(v.solid ? v.normal : v.d, cosine, u.y);
+}
+
+// One light, or -1 for the environment, chosen by what each would bring: its chance.
+float chooseLight(Vertex v, out int chosen, out float skyChance) {
+  vec3 u = random3();
+  float power = 0.0, brought = 0.0;            // sums of both weights
+  vec2 ofPower = vec2(0.0), ofBrought = vec2(0.0);  // of the light picked by either
+  int byPower = 0, byBrought = 0;
+  float pickPower = u.x, pickBrought = u.y;
+  vec2 ofSky = vec2(0.0);
+  int l = kEnvironment ? -1 : 0;
+  do {
+    float p = 0.0, b = 0.0;
+#if ENVIRONMENT
+    if (l < 0) {
+      p = environmentPower / (4.0 * kPi), b = p / (4.0 * kPi);
+      ofSky = vec2(p, b);
+    } else
+#endif
+    {
+      int light = max(l, 0);
+      Incidence i = unshadowed(light, v.p);
+      p = l < lightCount ? luminance(i.irradiance) : 0.0;
+      b = p * scattersTo(v, i.towards);
+#if LIGHT_KINDS & MAPPED_SHADOWS
+      int shadow = lights[light].shadow.x;
+      if (shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH)
+        b *= chances.y < 0.0 ? lookupTransmittance(light, v.p, !v.solid) : chances.y;
+#endif
+    }
+    power += p, brought += b;
+    bool takeP = p > 0.0 && pickPower * power < p, takeB = b > 0.0 && pickBrought * brought < b;
+    pickPower = p <= 0.0 ? pickPower
+                : takeP  ? pickPower * power / p
+                         : (pickPower - p / power) / max(1.0 - p / power, 1e-30);
+    pickBrought = b <= 0.0 ? pickBrought
+                  : takeB  ? pickBrought * brought / b
+                           : (pickBrought - b / brought) / max(1.0 - b / brought, 1e-30);
+    byPower = takeP ? l : byPower, ofPower = takeP ? vec2(p, b) : ofPower;
+    byBrought = takeB ? l : byBrought, ofBrought = takeB ? vec2(p, b) : ofBrought;
+    spendWork(1);
+    ++l;
+  } while (l < lightCount);
+  float share = brought > 0.0 ? chances.x : 1.0;
+  bool usePower = u.z < share;
+  chosen = usePower ? byPower : byBrought;
+  vec2 w = usePower ? ofPower : ofBrought;
+  float toPower = share / max(power, 1e-30), toBrought = (1.0 - share) / max(brought, 1e-30);
+  skyChance = ofSky.x * toPower + ofSky.y * toBrought;
+  return w.x * toPower + w.y * toBrought;
+}
+
+#if TRANSMITTANCE == TRANSMITTANCE_SERIES
+// An unbiased estimate of the optical depth of what shadows a light, `combs` samples evenly placed along each
+// grid and shifted together.
+vec3 combDepth(ivec2 range, vec3 p, vec3 d, float end, float combs) {
+  vec3 sum = vec3(0.0);
+  int item = range.x;
+  do {
+    int v = tileItem(item);
+    VolumeRay r;
+    vec2 hit = enterVolume(v, p, d, 0, r);
+    float t0 = max(hit.x, -r.anchor), t1 = max(min(hit.y, end - r.anchor), t0);
+    bool grid = !r.analytic && t1 > t0;
+    int n = grid ? int(clamp(combs, 4.0, 64.0)) : 1;
+    float ds = (t1 - t0) / float(n), u = random3().x, depth = 0.0;
+    if (r.analytic) depth = max(r.extinction, 0.0) * (t1 - t0);
+    int j = 0;
+#if SHAPES & SHAPES_GRID
+    do {
+      for (int i = 0; i < 4; ++i) {
+        float t = t0 + (float(j + i) + u) * ds;
+        depth += grid && j + i < n ? sigmaAt(r, t) * ds : 0.0;
+      }
+      j += 4;
+      spendWork(1);
+    } while (j < n);
+#endif
+    sum += item < range.y ? depth * tintOf(v) : vec3(0.0);
+    spendWork(1);
+    ++item;
+  } while (item < range.y);
+  return sum;
+}
+
+// Transmittance around a pivot p: exp(-tau) = exp(-p) SUM (p - tau)^k / k!, each factor by a comb of its own,
+// so that the mean is right whatever the pivot is; ended at random.
+vec3 seriesTransmittance(ivec2 range, vec3 p, vec3 d, float end, float mapped) {
+  const float kGoesOn = 0.35;
+  vec3 pivot = vec3(mapped);
+  if (mapped < 0.0) pivot = combDepth(range, p, d, end, 16.0);
+  float combs = 8.0 * sqrt(max(largest(pivot), 0.0));
+  vec3 term = vec3(1.0), sum = vec3(1.0);
+  int k = 1;
+  bool more = random3().x < kGoesOn;
+  while (more) {
+    term *= (pivot - combDepth(range, p, d, end, combs)) / (float(k) * kGoesOn);
+    sum += term;
+    ++k;
+    more = random3().x < kGoesOn && k < 64;
+  }
+  return exp(-pivot) * sum;
+}
+#endif
+
+// What the chosen light brings to a vertex through nothing, over the chance that it was chosen; black where a
+// solid stands between.
+vec3 lightBrought(Vertex v, int light, float chance, out vec3 towards, out float distance, out ivec2 range) {
+  vec3 brought = vec3(0.0);
+  range = volumesOf(0), towards = vec3(0.0, 1.0, 0.0), distance = kNoHit;
+#if ENVIRONMENT
+  if (light < 0) {
+    ivec2 at;
+    towards = sampleEnvironment(random3(), at);
+    float dense = environmentDensity(at) * chance, other = scattersTo(v, towards);
+    vec3 n;
+    int solid;
+    bool seen = !kSolids || nearestSolid(solidCount, v.p, towards, solid, n) >= kNoHit;
+    brought = dense > 0.0 && seen ? environmentAt(at).rgb * other / (dense + other) : vec3(0.0);
+    return brought;
+  }
+#endif
+  light = max(light, 0);
+  Incidence i = unshadowed(light, v.p);
+  towards = i.towards, distance = i.distance, range = volumesOf(1 + light);
+  float visible = solidVisibility(light, v.p, towards, distance);
+  return chance > 0.0 ? visible * scattersTo(v, towards) / chance * i.irradiance : vec3(0.0);
+}
+
+// Behind a vertex and its light: on, or the end of the sample.
+bool continuePath() {
+  pathWeight = nextWeight, density = nextDensity;
+  ++bounces;
+  lightOfFlight = -1;
+  if (largest(pathWeight) <= 0.0) return false;
+  flight = flightFrom(flight.o, nextDirection, kNoHit, volumesOf(0), false);
+  findEnd();
+  return true;
+}
+
+// A vertex: chooses where the path goes and what lights it. False: the sample ends here.
+bool scatter(Vertex v) {
+  pathWeight *= v.albedo;
+  nextWeight = pathWeight;
+  nextDirection = scatteredDirection(v), nextDensity = scattersTo(v, nextDirection);
+  // Roulette, once a path is long.
+  float loud = largest(pathWeight), goes = bounces < 8 ? 1.0 : clamp(loud / 0.25, 0.05, 1.0);
+  nextWeight *= random3().x < goes ? 1.0 / goes : 0.0;
+  bool last = bounces >= bounceLimit();
+  if (last && mostBounces < 0) atomicAdd(tooLong, 1);
+  // The environment behind the last vertex is still looked at.
+  nextWeight *= last && !kEnvironment ? 0.0 : 1.0;
+  int light;
+  float chance = chooseLight(v, light, sky);
+  vec3 towards;
+  float distance;
+  ivec2 range;
+  vec3 brought = pathMean() * lightBrought(v, light, chance, towards, distance, range);
+  flight.o = v.p;
+  if (largest(brought) <= 0.0) return continuePath();
+#if TRANSMITTANCE == TRANSMITTANCE_SERIES
+  float mapped = -1.0;
+#if LIGHT_KINDS & MAPPED_SHADOWS
+  int shadow = lights[max(light, 0)].shadow.x;
+  if (light >= 0 && shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH && chances.y < 0.0) {
+    mapped = -log(max(lookupTransmittance(light, v.p, !v.solid), 1e-30));
+    mapped = mapped < 6.0 ? mapped : -1.0;
+  }
+#endif
+  add(brought * seriesTransmittance(range, v.p, towards, distance, mapped), bounces);
+  return continuePath();
+#else
+  pending = brought, lightOfFlight = light;
+  flight = flightFrom(v.p, towards, distance, range, true);
+  return true;
+#endif
+}
+
+// The end of a flight. False: the sample ends with it.
+bool arrive() {
+  if (flight.measures) {
+    add(pending * flight.through, bounces);
+    return continuePath();
+  }
+  addGlow();
+  bool collided = flight.state == kCollided, solid = !collided && flight.end < kNoHit;
+  bool camera = density < 0.0;
+  vec3 passes = pathMean();
+  if (camera && collided) radiance.a = 1.0;
+  if (camera && !collided) radiance.a = solid ? 1.0 : 1.0 - (passes.r + passes.g + passes.b) / 3.0;
+  if (!collided && !solid) {
+#if ENVIRONMENT
+    ivec2 at = environmentTexel(flight.d);
+    float other = environmentDensity(at) * sky;
+    float part = camera ? (environmentVisible ? 1.0 : 0.0) : density / max(density + other, 1e-30);
+    add(passes * part * environmentAt(at).rgb, max(bounces - 1, 0));
+#endif
+    return false;
+  }
+  if (bounces > bounceLimit()) return false;
+  Vertex v;
+  v.d = flight.d, v.solid = solid, v.normal = endNormal;
+  v.lobes = vec4(0.0), v.blend = 0.0;
+  if (solid) {
+    v.p = flight.o + flight.end * flight.d;
+    v.p += solidClearance(endSolid, v.p, endNormal, flight.end) * endNormal;
+    v.albedo = solidAlbedo(endSolid);
+  } else {
+    vec4 albedo = albedoOf(metVolume);
+    v.p = metAt, v.albedo = albedo.rgb * metFactor, v.blend = albedo.w;
+#if PHASE_LOBES
+    v.lobes = lobesOf(metVolume);
+#endif
+  }
+  return scatter(v);
+}
+
+void store(ivec2 pixel, int s) {
+  vec4 before = s == 0 ? vec4(0.0) : imageLoad(meanImage, pixel), now = radiance;
+  vec4 mean = before + (now - before) / float(s + 1);
+  imageStore(meanImage, pixel, mean);
+  vec4 deviations = s == 0 ? vec4(0.0) : imageLoad(deviationImage, pixel);
+  imageStore(deviationImage, pixel, deviations + (now - before) * (now - mean));
+  if ((s & 1) == 1) {
+    vec4 odd = s == 1 ? vec4(0.0) : imageLoad(oddImage, pixel);
+    imageStore(oddImage, pixel, odd + (now - odd) / float((s + 1) / 2));
+  }
+}
+
+int keepFlags() {
+  return (flight.measures ? kMeasures : 0) | pathChannel * kChannel | (lightOfFlight + 1) * kLight;
+}
+
+void load(PathState k, ivec2 pixel) {
+  seedPath(pixel, k.counts.x);
+  pathDraws = uint(k.counts.y);
+  bounces = k.counts.z;
+  pathChannel = k.counts.w / kChannel & 3;
+  flight.measures = (k.counts.w & kMeasures) != 0;
+  lightOfFlight = k.counts.w / kLight - 1;
+  flight.o = k.origin.xyz, flight.end = k.origin.w;
+  flight.d = k.direction.xyz, flight.left = k.direction.w;
+  flight.place = vec2(k.through.w, k.pending.w);
+  flight.at = k.nextWeight.w;
+  flight.through = k.through.rgb, flight.state = kFlying;
+  flight.range = volumesOf(lightOfFlight + 1);
+  pathWeight = k.weight.rgb, density = k.weight.w;
+  pathRatio = k.ratio.rgb, sky = k.ratio.w;
+  radiance = k.radiance;
+  pending = k.pending.rgb;
+  nextDirection = k.next.xyz, nextDensity = k.next.w;
+  nextWeight = k.nextWeight.rgb;
+  pathGlow = vec3(0.0);
+  if (!flight.measures) findEnd();
+}
+
+void save(int slot, int s, bool finished) {
+  PathState k;
+  k.origin = vec4(flight.o, flight.end), k.direction = vec4(flight.d, flight.left);
+  k.through = vec4(flight.through, flight.place.x), k.pending = vec4(pending, flight.place.y);
+  k.weight = vec4(pathWeight, density), k.ratio = vec4(pathRatio, sky);
+  k.radiance = radiance;
+  k.next = vec4(nextDirection, nextDensity), k.nextWeight = vec4(nextWeight, flight.at);
+  k.counts = ivec4(s, int(pathDraws), bounces, keepFlags() | (finished ? kFinished : 0));
+  states[slot] = k;
+}
+
+void main() {
+  ivec2 pixel = regionPixel();
+  if (!inRegion(pixel)) return;
+  int slot = regionSlot(pixel), s = sampleRange.x;
+  if (dispatchIndex == 0) {
+    beginSample(pixel, s);
+    findEnd();
+  } else {
+    PathState k = states[slot];
+    if ((k.counts.w & kFinished) != 0) return;
+    s = k.counts.x;
+    load(k, pixel);
+  }
+  bool finished = false;
+  do {
+    fly(flight);
+    if (flight.state != kFlying && !arrive()) {
+      store(pixel, s);
+      ++s;
+      finished = s >= sampleRange.y;
+      beginSample(pixel, s);
+      findEnd();
+    }
+    spendWork(4);
+  } while (!finished && workIsLeft());
+  addGlow();
+  save(slot, s, finished);
+  if (!finished) atomicAdd(unfinished, 1);
+  if (violations > 0) atomicAdd(above, violations);
+}

@@ -139,7 +139,7 @@ EnvironmentMap refined(const EnvironmentMap& map, ivec2 smallest) {
   return out;
 }
 
-EnvironmentFaults repair(EnvironmentMap& map) {
+EnvironmentFaults repair(EnvironmentMap& map, Negative keep) {
   EnvironmentFaults out;
   for (vec3& texel : map.radiance) {
     bool nan = false, negative = false, bright = false;
@@ -148,7 +148,7 @@ EnvironmentFaults repair(EnvironmentMap& map) {
       if (std::isnan(v)) {
         nan = true;
         v = 0;
-      } else if (v < 0) {
+      } else if (v < (keep == Negative::Keep ? -kLargestRadiance : 0)) {
         negative = true;
         v = 0;
       } else if (v > kLargestRadiance) {

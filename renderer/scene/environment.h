@@ -64,7 +64,9 @@ struct EnvironmentFaults {
 };
 inline constexpr float kInfiniteRadiance = 65504;  ///< what infinities become: the largest half
 inline constexpr float kLargestRadiance = 1e12f;   ///< finite values are cut here
-/// NaNs and negative values become 0, infinities kInfiniteRadiance, channel by channel.
-EnvironmentFaults repair(EnvironmentMap& map);
+enum class Negative { Cut, Keep };
+/// NaNs and negative values become 0, infinities kInfiniteRadiance, channel by channel. Negative values are
+/// kept where they may yet become a colour by a change of primaries.
+EnvironmentFaults repair(EnvironmentMap& map, Negative negative = Negative::Cut);
 
 }  // namespace pileus::scene

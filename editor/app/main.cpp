@@ -8,6 +8,7 @@
 #include "editor/cli/cli.h"
 #include "editor/commands/keyboard.h"
 #include "renderer/base/file.h"
+#include "renderer/image/environment_import.h"
 #include "renderer/volume/vdb_child.h"
 
 namespace {
@@ -28,6 +29,7 @@ void spareShaderCacheOnAFullDisk() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (pileus::image::isEnvironmentChild(argc, argv)) return pileus::image::environmentChildMain(argc, argv);
   if (argc > 1 && std::string_view(argv[1]) == "import") return pileus::volume::importChildMain(argc, argv);
   spareShaderCacheOnAFullDisk();
   pileus::cli::EditorSide side;

@@ -310,4 +310,52 @@ Result<void> ColorConfig::applyCpu(const std::string& display, const std::string
   return {};
 }
 
+std::vector<std::string> ColorConfig::colorSpaces() const {
+  std::vector<std::string> out;
+  const int count =
+      impl_->config->getNumColorSpaces(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL);
+  for (int i = 0; i < count; ++i)
+    out.emplace_back(
+        impl_->config->getColorSpaceNameByIndex(OCIO::SEARCH_REFERENCE_SPACE_SCENE, OCIO::COLORSPACE_ALL, i));
+  return out;
+}
+
+Result<void> ColorConfig::toWorkingSpace(const std::string& colorspace, float* rgb,
+                                         std::size_t pixels) const {
+  const auto builtin = [](const char* style, OCIO::TransformDirection direction) {
+    auto out = OCIO::BuiltinTransform::Create();
+    out->setStyle(style);
+    out->setDirection(direction);
+    return out;
+  };
+  try {
+    auto group = OCIO::GroupTransform::Create();
+    if (colorspace.empty()) {
+      group->appendTransform(builtin("UTILITY - ACES-AP1_to_LINEAR-REC709_BFD", OCIO::TRANSFORM_DIR_INVERSE));
+    } else {
+      if (!impl_->config->getColorSpace(colorspace.c_str()))
+        return fail(Code::Arguments, "colorspace: there is no colour space '{}'; the colour config has {}",
+                    colorspace, quotedList(colorSpaces()));
+      auto toWorking = OCIO::ColorSpaceTransform::Create();
+      toWorking->setSrc(colorspace.c_str());
+      toWorking->setDst(impl_->source.space.c_str());
+      group->appendTransform(toWorking);
+      if (impl_->source.fromAces2065)
+        group->appendTransform(builtin("ACEScg_to_ACES2065-1", OCIO::TRANSFORM_DIR_INVERSE));
+    }
+    const auto cpu = impl_->config->getProcessor(group)->getOptimizedCPUProcessor(
+        OCIO::BIT_DEPTH_F32, OCIO::BIT_DEPTH_F32, kOptimization);
+    constexpr std::size_t kBlock = 4096;
+    tbb::parallel_for(std::size_t(0), (pixels + kBlock - 1) / kBlock, [&](std::size_t block) {
+      const std::size_t first = block * kBlock;
+      OCIO::PackedImageDesc desc(rgb + first * 3, static_cast<long>(std::min(kBlock, pixels - first)), 1, 3);
+      cpu->apply(desc);
+    });
+  } catch (const std::exception& e) {
+    return fail(Code::Input, "colorspace: {}: '{}' cannot be converted: {}", impl_->description, colorspace,
+                clampReason(e.what()));
+  }
+  return {};
+}
+
 }  // namespace pileus::image

@@ -60,6 +60,12 @@ class ColorConfig {
   Result<void> applyCpu(const std::string& display, const std::string& view, float* rgba, std::size_t pixels,
                         const std::string& look = {}) const;
 
+  /// Names of the config's spaces that pixels of a file may be in.
+  std::vector<std::string> colorSpaces() const;
+  /// In place, RGB interleaved float pixels from one of them to linear ACEScg. "" is linear Rec. 709, by a
+  /// matrix of the library's own, whatever the config. Error (Arguments) lists the spaces.
+  Result<void> toWorkingSpace(const std::string& colorspace, float* rgb, std::size_t pixels) const;
+
  private:
   struct Impl;
   explicit ColorConfig(std::unique_ptr<Impl> impl);

@@ -4,22 +4,10 @@
 #include <cmath>
 
 #include "renderer/scene/acescg.h"
+#include "renderer/scene/color_matching.h"
 
 namespace pileus::scene {
 namespace {
-
-/// A bell with a width of its own on each side.
-double lobe(double nm, double center, double left, double right) {
-  const double t = (nm - center) / (nm < center ? left : right);
-  return std::exp(-0.5 * t * t);
-}
-
-dvec3 matching(double nm) {
-  return {1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) -
-              0.065 * lobe(nm, 501.1, 20.4, 26.2),
-          0.821 * lobe(nm, 568.8, 46.9, 40.5) + 0.286 * lobe(nm, 530.9, 16.3, 31.1),
-          1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
-}
 
 /// Radiance per nanometre [W/(m^2 sr nm)].
 double planck(double nm, double kelvin) {
@@ -35,7 +23,7 @@ constexpr std::size_t kSteps = 236;       // to 830
 const std::array<dvec3, kSteps>& matchingSteps() {
   static const auto steps = [] {
     std::array<dvec3, kSteps> all;
-    for (std::size_t i = 0; i < kSteps; ++i) all[i] = matching(kFrom + kStep * static_cast<double>(i));
+    for (std::size_t i = 0; i < kSteps; ++i) all[i] = colorMatching(kFrom + kStep * static_cast<double>(i));
     return all;
   }();
   return steps;

@@ -12,9 +12,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "renderer/base/byte_stream.h"
 #include "renderer/base/file.h"
 #include "renderer/volume/brick_builder.h"
-#include "renderer/volume/byte_stream.h"
 
 namespace fs = std::filesystem;
 

@@ -10,25 +10,9 @@
 namespace pileus::volume {
 
 /// The hidden subcommand: argv = <exe> import inspect FILE MEMORY CPU | <exe> import grid FILE NAME STORE
-/// LEVELSETS MEMORY CPU (limits in bytes and seconds). Speaks the protocol below on standard output. Returns
-/// the exit status.
+/// LEVELSETS MEMORY CPU (limits in bytes and seconds). Speaks on standard output as import_child.h says.
+/// Returns the exit status.
 int importChildMain(int argc, char** argv);
-
-/// A message: one byte kind, four bytes length, content.
-enum class MessageKind : char {
-  Progress = 'P',  ///< double
-  Error = 'E',     ///< int32 Code, text
-  Info = 'I',      ///< encodeInfo
-  Store = 'S',     ///< a part of the store, which could not be written: all of them together are it
-  Done = 'D',      ///< why the store could not be written; nothing: it is there
-};
-std::string encodeMessage(MessageKind kind, std::string_view content);
-struct Message {
-  MessageKind kind;
-  std::string content;
-};
-/// Takes the first whole message off `buffer`; nothing yet: nullopt. An Error: the bytes are no message.
-Result<std::optional<Message>> takeMessage(std::string& buffer);
 
 /// Begins a note of a store that names another grid of the file (a warning never begins so).
 inline constexpr std::string_view kOtherGrid = "\x01grid ";

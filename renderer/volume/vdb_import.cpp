@@ -1,19 +1,14 @@
 #include "renderer/volume/vdb_import.h"
 
-#include <signal.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstring>
 #include <fstream>
 
 #include "renderer/base/file.h"
 #include "renderer/base/log.h"
 #include "renderer/volume/brick_store.h"
-#include "renderer/volume/byte_stream.h"
-#include "renderer/volume/child_process.h"
 #include "renderer/volume/file_kind.h"
 #include "renderer/volume/vdb_child.h"
 #include "renderer/volume/vdb_damage.h"
@@ -24,13 +19,6 @@ namespace pileus::volume {
 namespace {
 
 constexpr std::uint64_t kCacheBytes = std::uint64_t(16) << 30;
-constexpr std::size_t kMaxMessage = 1024;
-
-Error about(const fs::path& path, Code code, std::string_view reason) {
-  std::string message = fmt::format("{}: {}", path.string(), reason);
-  if (message.size() > kMaxMessage) message = message.substr(0, kMaxMessage - 3) + "...";
-  return Error{code, std::move(message)};
-}
 
 /// Behind what is wrong with a file: perhaps its format is one that this build has never seen.
 std::string newerFormat(const fs::path& path) {
@@ -38,13 +26,6 @@ std::string newerFormat(const fs::path& path) {
   if (format <= newestVdbFormat()) return {};
   return fmt::format("; it is of file format {}, this Pileus knows formats up to {}", format,
                      newestVdbFormat());
-}
-
-/// Printable part of what a library wrote, on one line.
-std::string_view lastLine(std::string_view text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-  const auto at = text.rfind('\n');
-  return at == std::string_view::npos ? text : text.substr(at + 1);
 }
 
 /// Behind the end of a child: what it has begun of a store and not finished.
@@ -86,53 +67,16 @@ struct ChildWork {
 Result<std::string> runChild(const fs::path& path, std::vector<std::string> arguments, JobControl& control,
                              const ImportLimits& limits, const ChildWork& into = {}) {
   Leftovers leftovers{into.store, 0};  // cleared after the child's own end
-  arguments.push_back(std::to_string(limits.memoryBytes));
-  arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
-  auto started =
-      ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
-  if (!started) return started.error();
-  ChildProcess& child = *started;
-  leftovers.process = child.id();
-  const auto begin = std::chrono::steady_clock::now();
-  std::optional<Message> answer;
-  for (bool open = true; open;) {
-    open = child.read(std::chrono::milliseconds(20));
-    if (control.cancelled()) return fail(Code::Cancelled, "cancelled");  // the destructor kills
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > limits.wallSeconds)
-      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.wallSeconds));
-    while (true) {
-      auto message = takeMessage(child.out);
-      if (!message) return message.error();
-      if (!*message) break;
-      if ((*message)->kind == MessageKind::Progress)
-        control.progress(ByteReader((*message)->content).take<double>());
-      else if ((*message)->kind == MessageKind::Store) {
-        if (!into.instead || !into.instead->append((*message)->content))
-          return about(path, Code::Internal,
-                       fmt::format("its bricks fit neither into the cache nor into memory ({})",
-                                   std::strerror(errno)));
-      } else
-        answer = std::move(**message);
-    }
-  }
-  const int status = child.wait();
-  if (answer && answer->kind == MessageKind::Error) {
-    ByteReader r(answer->content);
-    const auto code = r.take<std::int32_t>();
-    return about(path, code >= 1 && code <= 6 ? static_cast<Code>(code) : Code::Internal,
-                 r.takeText() + newerFormat(path));
-  }
-  if (WIFSIGNALED(status)) {
-    const int s = WTERMSIG(status);
-    if (s == SIGXCPU)
-      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
-    return about(path, Code::Input,
-                 fmt::format("the file is damaged: its reader was stopped by signal {} ({}){}", s,
-                             ::strsignal(s), newerFormat(path)));
-  }
-  if (answer && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(answer->content);
-  return about(path, Code::Internal,
-               fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
+  ImportWatch watch;
+  watch.started = [&](long process) { leftovers.process = process; };
+  watch.suffix = [&] { return newerFormat(path); };
+  watch.store = [&](std::string_view part) -> Result<void> {
+    if (into.instead && into.instead->append(part)) return {};
+    return aboutFile(
+        path, Code::Internal,
+        fmt::format("its bricks fit neither into the cache nor into memory ({})", std::strerror(errno)));
+  };
+  return runImportChild(path, std::move(arguments), control, limits, watch);
 }
 
 /// What a store keeps beside the grid: warnings, and after a mark the names of the file's other grids.
@@ -162,17 +106,16 @@ fs::path storeFolder() {
 }  // namespace
 
 Result<VdbInfo> inspectVdb(const fs::path& path, JobControl& control, const ImportLimits& limits) {
-  if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
-  PILEUS_TRY(const std::string content,
-             runChild(path, {"import", "inspect", path.string()}, control, limits));
+  if (auto refused = whyNotVdb(path)) return aboutFile(path, Code::Input, *refused);
+  PILEUS_TRY(const std::string content, runChild(path, {"inspect", path.string()}, control, limits));
   auto info = decodeInfo(content);
-  if (!info) return about(path, Code::Internal, "its reader's answer is malformed");
+  if (!info) return aboutFile(path, Code::Internal, "its reader's answer is malformed");
   return std::move(*info);
 }
 
 Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName, JobControl& control,
                                const ImportLimits& limits, LevelSets levelSets) {
-  if (auto refused = whyNotVdb(path)) return about(path, Code::Input, *refused);
+  if (auto refused = whyNotVdb(path)) return aboutFile(path, Code::Input, *refused);
   static constexpr std::string_view kReading = "vdb 3";  // another, once other bricks are made of a file
   const std::string surfaces(enumId(levelSets));
   const Key key =
@@ -190,12 +133,12 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
   }
   MemoryFile memory;
   PILEUS_TRY(const std::string unwritten,
-             runChild(path, {"import", "grid", path.string(), gridName, store.string(), surfaces}, control,
-                      limits, {store, &memory}));
+             runChild(path, {"grid", path.string(), gridName, store.string(), surfaces}, control, limits,
+                      {store, &memory}));
   auto stored = readStore(memory.holdsAny() ? memory.path() : store);
   if (!stored)
-    return about(path, Code::Internal,
-                 fmt::format("its bricks cannot be read back: {}", stored.error().message));
+    return aboutFile(path, Code::Internal,
+                     fmt::format("its bricks cannot be read back: {}", stored.error().message));
   ImportedGrid out = fromStore(stored->grid, std::move(stored->notes));
   if (memory.holdsAny())
     out.warnings.push_back(fmt::format("the file is read without the cache, each time anew: {}", unwritten));

@@ -10,11 +10,14 @@
 #include <vector>
 
 #include "renderer/base/enum_info.h"
+#include "renderer/base/import_child.h"
 #include "renderer/base/jobs.h"
 #include "renderer/base/result.h"
 #include "renderer/volume/brick_grid.h"
 
 namespace pileus::volume {
+
+using pileus::ImportLimits;
 
 struct GridInfo {
   std::string name;       ///< unique: the name, or name[i] if several share it
@@ -44,13 +47,6 @@ struct VdbInfo {
   std::vector<std::pair<std::string, std::string>> metadata;  ///< of the file
   std::vector<GridInfo> grids;                                ///< in alphabetical order of their names
   int chosen = -1;  ///< what an empty grid name would import; -1: nothing can be drawn
-};
-
-struct ImportLimits {
-  std::uint64_t memoryBytes = std::uint64_t(8) << 30;  ///< address space of the child
-  double cpuSeconds = 900;
-  double wallSeconds = 900;
-  std::filesystem::path executable;  ///< who is run as `<executable> import ..`; empty: this executable
 };
 
 /// What becomes of a grid that holds distances to a surface.

@@ -1,10 +1,8 @@
-#include "renderer/volume/byte_stream.h"
+#include "renderer/base/byte_stream.h"
 #include "renderer/volume/vdb_child.h"
 
 namespace pileus::volume {
 namespace {
-
-constexpr std::uint32_t kMaxMessage = 64u << 20;
 
 void encodeGrid(ByteWriter& w, const GridInfo& g) {
   w.put(g.name).put(g.gridClass).put(g.valueType).put(g.transform).put(g.creator).put(g.reason);
@@ -49,23 +47,6 @@ GridInfo decodeGrid(ByteReader& r) {
 }
 
 }  // namespace
-
-std::string encodeMessage(MessageKind kind, std::string_view content) {
-  std::string out(1, static_cast<char>(kind));
-  return out + ByteWriter().put(content).bytes();
-}
-
-Result<std::optional<Message>> takeMessage(std::string& buffer) {
-  if (buffer.size() < 5) return std::optional<Message>();
-  std::uint32_t size;
-  std::memcpy(&size, buffer.data() + 1, sizeof size);
-  if (std::string_view("PEISD").find(buffer[0]) == std::string_view::npos || size > kMaxMessage)
-    return fail(Code::Internal, "the importer said something that is no message");
-  if (buffer.size() < 5 + std::size_t(size)) return std::optional<Message>();
-  Message m{static_cast<MessageKind>(buffer[0]), buffer.substr(5, size)};
-  buffer.erase(0, 5 + std::size_t(size));
-  return std::optional<Message>(std::move(m));
-}
 
 std::string encodeInfo(const VdbInfo& info) {
   ByteWriter w;

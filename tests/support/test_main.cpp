@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "renderer/base/log.h"
+#include "renderer/image/environment_import.h"
 #include "renderer/volume/vdb_child.h"
 #include "tests/support/reference_compiler.h"
 #include "tests/support/support.h"
@@ -54,6 +55,7 @@ ExpectLogged::~ExpectLogged() {
 
 int main(int argc, char** argv) {
   // Tests that read volumes start their own executable as the child that parses them.
+  if (pileus::image::isEnvironmentChild(argc, argv)) return pileus::image::environmentChildMain(argc, argv);
   if (argc > 1 && std::string_view(argv[1]) == "import") return pileus::volume::importChildMain(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   if (!std::getenv("XDG_CACHE_HOME")) ::setenv("XDG_CACHE_HOME", pileus::test::scratchFolder().c_str(), 1);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace pileus::volume {
+namespace pileus {
 
 class ByteWriter {
  public:
@@ -63,4 +63,4 @@ class ByteReader {
   bool ok_ = true;
 };
 
-}  // namespace pileus::volume
+}  // namespace pileus

@@ -1,4 +1,4 @@
-#include "renderer/volume/child_process.h"
+#include "renderer/base/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -13,7 +13,7 @@
 
 extern char** environ;
 
-namespace pileus::volume {
+namespace pileus {
 
 Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable,
                                          const std::vector<std::string>& arguments) {
@@ -106,4 +106,4 @@ int ChildProcess::wait() {
   return status;
 }
 
-}  // namespace pileus::volume
+}  // namespace pileus

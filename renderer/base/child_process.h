@@ -8,7 +8,7 @@
 
 #include "renderer/base/result.h"
 
-namespace pileus::volume {
+namespace pileus {
 
 class ChildProcess {
  public:
@@ -36,4 +36,4 @@ class ChildProcess {
   int streams_[2] = {-1, -1};
 };
 
-}  // namespace pileus::volume
+}  // namespace pileus

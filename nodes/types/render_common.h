@@ -6,8 +6,8 @@
 
 namespace pileus::nodes {
 
-/// What is common to every picture: size, camera (the linked one, the viewport's, or one framed on the volumes),
-/// layer and region of the context; in a draft one sample, and as many pixels as that allows.
+/// What is common to every picture: size, camera (the linked one, the viewport's, or one framed on the
+/// volumes), layer and region of the context; in a draft one sample, and as many pixels as that allows.
 view::RenderOptions pictureOptions(const EvalContext& ctx, const CameraValue& camera,
                                    const VolumeValue& volumes, const SolidValue& solids, int samples,
                                    bool software);

@@ -51,10 +51,14 @@ struct Pass {
 using Passes = std::vector<std::unique_ptr<Pass>>;
 
 void describe(Describe<In, Out>& d) {
-  d.name("Path Trace").category("Render").keywords("picture judge reference truth multiple scattering unbiased");
+  d.name("Path Trace")
+      .category("Render")
+      .keywords("picture judge reference truth multiple scattering unbiased");
   d.help(
-      "Renders all orders of scattering without bias: the truth that faster pictures are judged by. Takes what "
-      "'Volume Render' takes, so that one link swaps them; it ignores step scales and mips. A light without a "
+      "Renders all orders of scattering without bias: the truth that faster pictures are judged by. Takes "
+      "what "
+      "'Volume Render' takes, so that one link swaps them; it ignores step scales and mips. A light without "
+      "a "
       "shadow node is shadowed by all that is drawn.");
   d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");
@@ -79,10 +83,14 @@ void describe(Describe<In, Out>& d) {
   d.in("noise", &In::noise)
       .range(0, 1)
       .soft(0, 0.1)
-      .help("Ends it once the standard error of a pixel is that part of the mean; 0: no limit. From 16 samples on.");
+      .help(
+          "Ends it once the standard error of a pixel is that part of the mean; 0: no limit. From 16 samples "
+          "on.");
   d.in("transmittance", &In::transmittance).help("How shadows are measured; the mean is the same.");
-  d.out("image", &Out::image).help("Scene-linear radiance [W/(m^2 sr)], premultiplied, with alpha; in files with "
-                                   "the variance of each pixel's mean.");
+  d.out("image", &Out::image)
+      .help(
+          "Scene-linear radiance [W/(m^2 sr)], premultiplied, with alpha; in files with "
+          "the variance of each pixel's mean.");
 }
 
 Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& passes) {
@@ -112,7 +120,7 @@ Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& 
   if (wanted.depth) add("depth", {Kind::Depth, 0});
   for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i)
     add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
-  if (wanted.lights && view::emits(scene)) add("emission", {Kind::Emission, 0});
+  if (wanted.lights && (view::emits(scene) || view::backdropOf(scene))) add("emission", {Kind::Emission, 0});
   return {};
 }
 
@@ -121,8 +129,7 @@ void report(const view::PathTracePass& pass, EvalContext& ctx) {
   ctx.note(fmt::format("{} samples{}, standard error {:.2g} %", s.samples,
                        pass.endedByTime() ? " (ended by time)" : "",
                        s.mean > 0 ? 100 * s.standardError / s.mean : 0));
-  if (s.violations > 0)
-    ctx.warn(fmt::format("{} collisions were denser than their bound", s.violations));
+  if (s.violations > 0) ctx.warn(fmt::format("{} collisions were denser than their bound", s.violations));
   if (s.endless > 0)
     ctx.warn(fmt::format("{} paths did not end and were cut off: is something closed that absorbs nothing?",
                          s.endless));

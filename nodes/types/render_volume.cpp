@@ -42,7 +42,7 @@ void addLayers(Passes& passes, const view::RenderScene& scene, const view::Extra
   if (wanted.depth) add("depth", {Kind::Depth, 0});
   for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i)
     add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
-  if (wanted.lights && view::emits(scene)) add("emission", {Kind::Emission, 0});
+  if (wanted.lights && (view::emits(scene) || view::backdropOf(scene))) add("emission", {Kind::Emission, 0});
 }
 
 void describe(Describe<In, Out>& d) {
@@ -79,7 +79,7 @@ Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& 
   view::RenderOptions options = pictureOptions(ctx, in.camera, in.volumes, in.solids, in.samples, software);
   options.stepScale = in.step_scale;
   if (ctx.quality() == Quality::Draft && software) options.stepScale *= 1.5;
-  const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items, {}, true};
+  const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
   passes.push_back(std::make_unique<Pass>("", scene));
   passes.back()->beginWith(ctx.seed());
   if (ctx.quality() == Quality::Final) addLayers(passes, scene, ctx.extra());

@@ -5,6 +5,7 @@
 // Column u and row v, measured at pixel edges, 0 .. 1 from the left and from the top, show
 //   azimuth = (0.5 - u) 360 deg + rotation, from +Z towards +X as for suns;  elevation = 90 - 180 v deg.
 // Radiance is constant within a texel: that is the function that is integrated, sampled and cut, exactly.
+#include <memory>
 #include <vector>
 
 #include "renderer/base/math.h"
@@ -21,6 +22,19 @@ struct EnvironmentMap {
   vec3& at(int x, int y) { return radiance[std::size_t(y) * std::size_t(size.x) + std::size_t(x)]; }
   bool operator==(const EnvironmentMap&) const = default;
 };
+
+/// A map as it lights and is seen.
+struct Environment {
+  EnvironmentMap map;
+  double rotation = 0;  ///< degrees
+  vec3 scale{1.0f};     ///< of its radiance: exposure and tint
+  bool visible = true;  ///< behind the media
+
+  bool operator==(const Environment&) const = default;
+};
+
+/// Several as one: their sum as a map of no rotation; one alone is itself. Null for none.
+std::shared_ptr<const Environment> joined(const std::vector<std::shared_ptr<const Environment>>& some);
 
 /// Unit vector towards what (u, v) shows; `rotation` in degrees.
 dvec3 environmentDirection(const dvec2& uv, double rotation = 0);

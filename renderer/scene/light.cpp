@@ -40,6 +40,14 @@ Incidence incidence(const Light& light, const dvec3& point) {
   return out;
 }
 
+std::vector<std::shared_ptr<const Environment>> environmentsOf(const std::vector<Light>& lights) {
+  std::vector<std::shared_ptr<const Environment>> out;
+  for (const Light& l : lights)
+    if (l.environment && std::find(out.begin(), out.end(), l.environment) == out.end())
+      out.push_back(l.environment);
+  return out;
+}
+
 std::vector<Light> splitDisc(const Light& sun, int count) {
   if (sun.kind != LightKind::Sun || sun.angle <= 0 || count <= 1) return {sun};
   const dvec3 axis = glm::normalize(sun.towards);

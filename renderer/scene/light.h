@@ -1,8 +1,9 @@
 #pragma once
 // Lights. Colours are linear in the working space.
+#include <memory>
 #include <vector>
 
-#include "renderer/base/math.h"
+#include "renderer/scene/environment.h"
 
 namespace pileus::scene {
 
@@ -19,6 +20,9 @@ struct Light {
   double radius = 0;       ///< Point, Spot: metres; within it irradiance stays I / radius^2; 0: a point
   double cone = 60;        ///< Spot: full angle of the cone, degrees, below 180
   double softness = 0.2;   ///< Spot: part of the half angle over which the edge fades, 0..1
+  /// Sun: what it stands for a part of; null: nothing but itself.
+  std::shared_ptr<const Environment> environment = {};
+  double narrow = 1;  ///< Sun: mean cosine of the directions it stands for; phase functions are blurred by it
 
   bool operator==(const Light&) const = default;
 };
@@ -31,6 +35,9 @@ struct Incidence {
   double falloff = 1;      ///< 1 for a sun, else [1/m^2]
 };
 Incidence incidence(const Light& light, const dvec3& point);
+
+/// The different environments that some of these lights stand for, in their order.
+std::vector<std::shared_ptr<const Environment>> environmentsOf(const std::vector<Light>& lights);
 
 /// `count` suns of equal share, spread evenly over the disc of a soft one (Vogel spiral); the light itself
 /// where it has no extent.

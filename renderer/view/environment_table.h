@@ -1,47 +1,45 @@
 #pragma once
-// Light from everywhere as the path tracer's shader reads it: radiance by direction, constant in each texel,
-// and the chances by which directions are chosen. Twin of lib/environment.glsl. GL thread but for
+// Light from everywhere on the GPU: as path tracers choose from it, and as cameras see it. GL thread, but for
 // environmentTexels().
-#include <span>
 #include <vector>
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
+#include "renderer/gl/texture.h"
+#include "renderer/scene/environment.h"
 
 namespace pileus::view {
 
-/// A lat-long map. Column u and row v, at pixel edges, 0 to 1 from the left and the top, show azimuth
-/// (0.5 - u) 360 deg + turn, from +Z towards +X, elevation 90 - 180 v deg.
-struct RadianceMap {
-  ivec2 size{0};
-  std::vector<vec3> texels;  ///< row by row from the top [W/(m^2 sr)], finite, not negative
-  double turn = 0;           ///< degrees
+/// Twin of lib/environment.glsl. `size.y` rows {chance of this and all rows above, solid angle of a texel, 0,
+/// 0}, then the texels {radiance, chance of this and those before it in its row}, of the map as it is scaled.
+/// A black map is chosen from evenly.
+std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3& scale = vec3(1));
 
-  bool empty() const { return texels.empty(); }
-};
-
-/// Solid angle [sr] of a texel in a row of so many.
-double texelSolidAngle(ivec2 size, int row);
-/// Unit vector towards a place in the map, turned.
-dvec3 mapDirection(const RadianceMap& map, dvec2 uv);
-
-/// `size.y` rows {chance of this and all rows above, solid angle of a texel, 0, 0}, then the texels {rgb, chance
-/// of this and those before it in its row}. A black map is chosen from evenly.
-std::vector<vec4> environmentTexels(const RadianceMap& map);
-/// Luminance of a map's radiance over all directions [W/m^2].
-double environmentPower(const RadianceMap& map);
-
+/// Directions by radiance, which is constant in each texel of at most 512 x 256.
 class EnvironmentTable {
  public:
-  Result<void> make(const RadianceMap& map);
+  Result<void> make(const scene::Environment& environment);
   /// To its binding point, with the uniforms of lib/environment.glsl.
-  void bind(gl::Program& program, bool visible) const;
+  void bind(gl::Program& program) const;
   bool empty() const { return size_.x == 0; }
 
  private:
   gl::Buffer texels_{"environment"};
   ivec2 size_{0};
   double turn_ = 0, power_ = 0;
+};
+
+/// Twin of lib/backdrop.glsl: the map as it is, filtered.
+class Backdrop {
+ public:
+  Result<void> make(const scene::Environment& environment);
+  void bind(gl::Program& program) const;
+  bool empty() const { return !map_; }
+
+ private:
+  gl::Texture map_;
+  double turn_ = 0;
+  vec3 scale_{1};
 };
 
 }  // namespace pileus::view

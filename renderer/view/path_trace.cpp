@@ -31,6 +31,9 @@ std::vector<shadow::ShadowedLight> shadowed(const RenderScene& scene) {
   } else if (layer.kind == PictureLayer::Kind::Emission) {
     out.clear();
   }
+  // In the beauty all of an environment counts, and not what stands for it.
+  if (scene.options.layer.kind == PictureLayer::Kind::Beauty)
+    std::erase_if(out, [](const shadow::ShadowedLight& l) { return l.light.environment != nullptr; });
   for (shadow::ShadowedLight& l : out)
     if (!l.shadow) l.shadow = shadow::marchedShadow(l.light, scene.volumes, scene.solids);
   return out;
@@ -84,7 +87,12 @@ Result<void> PathTracePass::start(const shadow::Gpu& gpu) {
     lists[l].assign(casters.begin(), casters.end());
   }
   run_.list(lists);
-  if (!scene_->environment.empty()) PILEUS_CHECK(environment_.make(scene_->environment));
+  using Kind = PictureLayer::Kind;
+  if (const auto all = environmentOf(*scene_); all && o.layer.kind == Kind::Beauty)
+    PILEUS_CHECK(environment_.make(*all));
+  if (const auto seen = backdropOf(*scene_);
+      seen && (o.layer.kind == Kind::Beauty || o.layer.kind == Kind::Emission))
+    PILEUS_CHECK(backdrop_.make(*seen));
   const ivec2 lo = glm::clamp(ivec2(glm::floor(o.region.min * dvec2(o.size))), ivec2(0), o.size - 1);
   const ivec2 hi = glm::clamp(ivec2(glm::ceil(o.region.max * dvec2(o.size))), lo + 1, o.size);
   run_.cursor = gl::RegionCursor(hi - lo, gpu.device, 1, lo);
@@ -114,17 +122,16 @@ void PathTracePass::finish() {
   const PathStatistics s = statistics();
   picture_->metadata["pathTrace:samples"] = std::to_string(s.samples);
   picture_->metadata["pathTrace:standardError"] = fmt::format("{:.6g}", s.standardError);
-  picture_->metadata["pathTrace:endedBy"] = endedByTime_                             ? "time"
+  picture_->metadata["pathTrace:endedBy"] = endedByTime_                          ? "time"
                                             : s.samples < scene_->options.samples ? "noise"
-                                                                                    : "samples";
+                                                                                  : "samples";
 }
 
 Result<double> PathTracePass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
   if (done_) return 1.0;
   PILEUS_CHECK(lights_.check());
-  PILEUS_TRY(residency_,
-             run_.prepare(gpu.bricks, lights_.volumes(), ms, originOf(scene_->options, lights_)));
+  PILEUS_TRY(residency_, run_.prepare(gpu.bricks, lights_.volumes(), ms, originOf(scene_->options, lights_)));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
   if (!picture_) PILEUS_CHECK(start(gpu));
   if (majorantsFor_ != gpu.bricks.generation()) {
@@ -152,8 +159,7 @@ Result<double> PathTracePass::step(const shadow::Gpu& gpu, double ms) {
             : std::min(0.9999, (picture_->samples + run_.cursor.fraction() * (next - picture_->samples)) /
                                    double(samples));
   if (!done_ && options_.seconds > 0)
-    picture_->fraction =
-        std::clamp(spentMs_ / (1e3 * options_.seconds), picture_->fraction, 0.9999);
+    picture_->fraction = std::clamp(spentMs_ / (1e3 * options_.seconds), picture_->fraction, 0.9999);
   return done_ ? 1.0 : std::min(0.1 + 0.9 * picture_->fraction, 0.9999);
 }
 
@@ -161,20 +167,22 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
   gl::Defines defines = lights_.defines();
   const auto add = [&](const gl::Defines& more) { defines.insert(defines.end(), more.begin(), more.end()); };
-  const bool environment = !environment_.empty() && (o.layer.kind == PictureLayer::Kind::Beauty);
+  const bool environment = !environment_.empty();
   add(run_.defines());
   add({{"SOLIDS", lights_.drawnSolids() > 0},
        {"ENVIRONMENT", environment},
+       {"BACKDROP", !backdrop_.empty()},
        {"TINTED", tinted(lights_.volumes())},
        {"EMISSION", emission_},
-       {"TRANSMITTANCE", options_.transmittance == ShadowEstimate::Series ? TRANSMITTANCE_SERIES
-                                                                          : TRANSMITTANCE_RATIO},
+       {"TRANSMITTANCE",
+        options_.transmittance == ShadowEstimate::Series ? TRANSMITTANCE_SERIES : TRANSMITTANCE_RATIO},
        {"ORDER", options_.orders.x > 0 || options_.orders.y < (1 << 30)}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/path_trace.comp.glsl"}, defines));
   PILEUS_CHECK(run_.bind(gpu.bricks, *program));
   setCamera(*program, o, run_.origin());
   majorants_.bind();
-  if (environment) environment_.bind(*program, scene_->environmentVisible);
+  if (environment) environment_.bind(*program);
+  if (!backdrop_.empty()) backdrop_.bind(*program);
   program->set("lightCount", int(lights_.lights().size()));
   program->set("solidCount", int(lights_.drawnSolids()));
   program->set("sampleRange", ivec2(picture_->samples, roundEnd()));

@@ -39,7 +39,7 @@ struct PathOptions {
   ivec2 orders{0, 1 << 30};  ///< only what has scattered so often less one
   // For tests: what must not change a mean.
   double majorantScale = 1;
-  double mapFactor = -1;        ///< instead of what maps say in the choice of lights; < 0: what they say
+  double mapFactor = -1;         ///< instead of what maps say in the choice of lights; < 0: what they say
   double unshadowedShare = 0.2;  ///< of that choice by power alone
   int workPerDispatch = 0;       ///< > 0: fixed
 };
@@ -84,6 +84,7 @@ class PathTracePass {
   PathOptions options_;
   LightSet lights_;
   EnvironmentTable environment_;
+  Backdrop backdrop_;
   residency::Majorants majorants_;
   std::uint64_t majorantsFor_ = ~std::uint64_t(0);
   residency::RegionRun run_;

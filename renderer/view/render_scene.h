@@ -6,7 +6,6 @@
 #include "renderer/scene/camera.h"
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
-#include "renderer/view/environment_table.h"
 #include "renderer/view/picture_layer.h"
 #include "renderer/volume/instance.h"
 
@@ -26,8 +25,6 @@ struct RenderScene {
   volume::InstanceList volumes;               ///< drawn; those that cast shadows are each shadow's own
   std::vector<shadow::ShadowedLight> lights;  ///< a light is blocked by the solids of its shadow
   scene::SolidList solids;                    ///< drawn
-  RadianceMap environment = {};               ///< light from everywhere; may be empty
-  bool environmentVisible = true;             ///< behind the media
 };
 
 /// Does any of its volumes emit?
@@ -35,5 +32,11 @@ inline bool emits(const RenderScene& scene) {
   return std::any_of(scene.volumes.begin(), scene.volumes.end(),
                      [](const auto& i) { return volume::emits(i); });
 }
+
+/// What cameras see behind all else: of the environments that its lights stand for those that are visible.
+/// Null: nothing.
+std::shared_ptr<const scene::Environment> backdropOf(const RenderScene& scene);
+/// All environments that its lights stand for. Null: none.
+std::shared_ptr<const scene::Environment> environmentOf(const RenderScene& scene);
 
 }  // namespace pileus::view

@@ -37,6 +37,10 @@ Result<void> VolumeRenderPass::start(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
   PILEUS_TRY(gl::Texture color, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture"));
   march_.list(o, lights_);
+  using Kind = PictureLayer::Kind;
+  if (const auto seen = backdropOf(*scene_);
+      seen && (o.layer.kind == Kind::Beauty || o.layer.kind == Kind::Emission))
+    PILEUS_CHECK(backdrop_.make(*seen));
   picture_ = std::make_shared<Picture>();
   picture_->size = o.size;
   picture_->scene = scene_;
@@ -87,7 +91,9 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   PILEUS_TRY(gl::Program * program, march_.bind(gpu, "view/volume_render.comp.glsl", o, lights_, budget_,
                                                 {{"LIGHTS", lights <= kUnrolledLights ? lights : 0},
                                                  {"DEPTH", depth},
+                                                 {"BACKDROP", !backdrop_.empty()},
                                                  {"EMISSION", emission_}}));
+  if (!backdrop_.empty()) backdrop_.bind(*program);
   program->set("lightCount", lights);
   program->set("sampleIndex", picture_->samples);
   program->set("samples", o.samples);

@@ -2,6 +2,7 @@
 // Single scattering and emission through any number of overlapping volumes, and opaque solids, under any
 // number of shadowed lights; progressive over regions and samples.
 #include "renderer/view/camera_march.h"
+#include "renderer/view/environment_table.h"
 #include "renderer/view/picture.h"
 #include "renderer/view/render_scene.h"
 
@@ -44,6 +45,7 @@ class VolumeRenderPass {
   residency::Residency residency_;
   int pauseAfter_ = 0;
   bool emission_ = false;  ///< counts, and there is some
+  Backdrop backdrop_;
 };
 
 }  // namespace pileus::view

@@ -59,9 +59,14 @@ inline view::RenderScene rayScene(const dvec3& eye, const dvec3& target, int siz
   return scene;
 }
 
-/// The same radiance from everywhere above the horizon, and from below it.
-inline view::RadianceMap halves(const vec3& above, const vec3& below) {
-  return {{4, 2}, {above, above, above, above, below, below, below, below}, 0};
+/// The same radiance from everywhere above the horizon, and from below it, as a light.
+inline shadow::ShadowedLight halves(const vec3& above, const vec3& below) {
+  scene::Light light;
+  auto e = std::make_shared<scene::Environment>();
+  e->map = {{4, 256}, std::vector<vec3>(4 * 256, below)};
+  std::fill_n(e->map.radiance.begin(), 4 * 128, above);
+  light.environment = e;
+  return {light, nullptr};
 }
 
 /// Within 4 standard errors of `right`, which have to be below `precision` of it.

@@ -15,12 +15,12 @@ layout(binding = UNIT_ENVIRONMENT) uniform samplerBuffer environmentTexels;
 uniform ivec2 environmentSize;
 uniform float environmentTurn;   // azimuth of the map's middle, in turns
 uniform float environmentPower;  // luminance of its radiance, over all directions
-uniform bool environmentVisible;
 
 const float kTurn = 6.28318530717959;
 
 ivec2 environmentTexel(vec3 d) {
-  float u = fract(0.5 - (atan(d.x, d.z) / kTurn - environmentTurn)), v = acos(clamp(d.y, -1.0, 1.0)) * 2.0 / kTurn;
+  float u = fract(0.5 - (atan(d.x, d.z) / kTurn - environmentTurn));
+  float v = acos(clamp(d.y, -1.0, 1.0)) * 2.0 / kTurn;
   return clamp(ivec2(vec2(u, v) * vec2(environmentSize)), ivec2(0), environmentSize - 1);
 }
 vec4 environmentRow(int y) { return texelFetch(environmentTexels, y); }

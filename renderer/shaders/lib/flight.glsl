@@ -1,7 +1,7 @@
 // Free flights by null collisions: from majorant to majorant, brick by brick, through whatever volumes
 // overlap. A flight that looks for a collision ends at the first real one; a flight that measures (ratio
-// tracking) gathers transmittance instead. Unbiased in whatever is bounded rightly; what is above its bound is
-// counted and weighted.
+// tracking) gathers transmittance instead. Unbiased in whatever is bounded rightly; what is above its bound
+// is counted and weighted.
 // Who includes this says when to pause: spendWork, workIsLeft. Variant constants: those of lib/stretch.glsl,
 // TINTED (1: extinction has colours).
 #pragma once

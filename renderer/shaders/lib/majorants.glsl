@@ -18,7 +18,8 @@ struct Bound {
 };
 
 float boundAt(int first, ivec3 cell, ivec3 cells) {
-  return uintBitsToFloat(texelFetch(majorantTexels, first + (cell.z * cells.y + cell.y) * cells.x + cell.x).x);
+  int i = first + (cell.z * cells.y + cell.y) * cells.x + cell.x;
+  return uintBitsToFloat(texelFetch(majorantTexels, i).x);
 }
 
 // The t at which a ray at level position q leaves a cell between two corners.

@@ -5,6 +5,7 @@
 #define BIND_PATH_STATES 6
 #define UNIT_MAJORANTS 11    // residency/majorants.h
 #define UNIT_ENVIRONMENT 12  // view/environment_table.h
+#define UNIT_BACKDROP 13     // what is seen of it
 #define IMAGE_MEAN 0         // of all samples
 #define IMAGE_DEVIATIONS 1   // rgb: sums of squared deviations from it
 #define IMAGE_ODD 2          // mean of every other sample

@@ -93,7 +93,7 @@ struct LightRecord {
                         // the light at the origin, z along its axis
   mat4 worldFromLight;
   vec4 towards;   // xyz: unit vector towards the sun, or against the axis of a spot; w: cosine at the edge of
-                  // a spot's cone
+                  // a spot's cone, of a sun the mean cosine of the directions it stands for
   vec4 emitted;   // rgb: irradiance [W/m^2] or radiant intensity [W/sr]; w: radius [m]
   vec4 extent;    // x: metres from near to far; y: step scale of a ray march; z: near distance [m] (0 for a
                   // sun); w: tangent of a map's half angle

@@ -2,9 +2,13 @@
 // light chosen by what it would bring, the environment also where the phase function leads. An invocation
 // traces the samples of its pixel one after the other for as long as its share of work lasts, and leaves what
 // the next dispatch goes on from.
-// Variant constants: SOLIDS, ENVIRONMENT, TINTED, TRANSMITTANCE (TRANSMITTANCE_*), ORDER (1: only one range of
-// orders counts) and those of lib/flight.glsl and lib/light_transmittance.glsl.
+// Variant constants: SOLIDS, ENVIRONMENT, BACKDROP, TINTED, TRANSMITTANCE (TRANSMITTANCE_*), ORDER (1: only
+// one range of orders counts) and those of lib/flight.glsl and lib/light_transmittance.glsl.
+#ifndef BACKDROP
+#define BACKDROP 0
+#endif
 #include "shared/path.h"
+#include "lib/backdrop.glsl"
 #include "lib/camera.glsl"
 #include "lib/environment.glsl"
 #include "lib/flight.glsl"
@@ -27,11 +31,11 @@ uniform int mostBounces;    // vertices that scatter behind the first; what is b
 uniform ivec2 orders;       // with ORDER: of them only from .. up to
 uniform vec2 chances;       // share of the choice by unshadowed power; factor of what maps say
 const bool kSolids = SOLIDS != 0, kEnvironment = ENVIRONMENT != 0;
-const bool kSeries = TRANSMITTANCE == TRANSMITTANCE_SERIES;
+const float kSeriesDepth = 3.0;  // a series serves up to that optical depth, by the map
 
 struct PathState {
   vec4 origin, direction;   // of the flight; w: end, left
-  vec4 weight, ratio;       // of the path; w: density of its direction, chance of the environment at its vertex
+  vec4 weight, ratio;       // of the path; w: density of its direction, chance of the environment there
   vec4 radiance;            // of the sample; w: alpha
   vec4 through, pending;    // of a flight that measures; w: place
   vec4 next;                // direction behind it, its density
@@ -192,7 +196,7 @@ float chooseLight(Vertex v, out int chosen, out float skyChance) {
   return w.x * toPower + w.y * toBrought;
 }
 
-#if TRANSMITTANCE == TRANSMITTANCE_SERIES
+#if TRANSMITTANCE == TRANSMITTANCE_SERIES && (LIGHT_KINDS & MAPPED_SHADOWS)
 // An unbiased estimate of the optical depth of what shadows a light, `combs` samples evenly placed along each
 // grid and shifted together.
 vec3 combDepth(ivec2 range, vec3 p, vec3 d, float end, float combs) {
@@ -204,7 +208,9 @@ vec3 combDepth(ivec2 range, vec3 p, vec3 d, float end, float combs) {
     vec2 hit = enterVolume(v, p, d, 0, r);
     float t0 = max(hit.x, -r.anchor), t1 = max(min(hit.y, end - r.anchor), t0);
     bool grid = !r.analytic && t1 > t0;
-    int n = grid ? int(clamp(combs, 4.0, 64.0)) : 1;
+    // At least one in each brick on average.
+    vec3 voxels = abs(r.d) * (t1 - t0);
+    int n = grid ? int(clamp(combs, 4.0 + largest(voxels) / kBrick, 256.0)) : 1;
     float ds = (t1 - t0) / float(n), u = random3().x, depth = 0.0;
     if (r.analytic) depth = max(r.extinction, 0.0) * (t1 - t0);
     int j = 0;
@@ -225,23 +231,21 @@ vec3 combDepth(ivec2 range, vec3 p, vec3 d, float end, float combs) {
   return sum;
 }
 
-// Transmittance around a pivot p: exp(-tau) = exp(-p) SUM (p - tau)^k / k!, each factor by a comb of its own,
-// so that the mean is right whatever the pivot is; ended at random.
+// Transmittance around the optical depth that a map says, p: exp(-tau) = exp(-p) SUM (p - tau)^k / k!, each
+// factor by a comb of its own, so that the mean is right whatever p is; ended at random.
 vec3 seriesTransmittance(ivec2 range, vec3 p, vec3 d, float end, float mapped) {
   const float kGoesOn = 0.35;
-  vec3 pivot = vec3(mapped);
-  if (mapped < 0.0) pivot = combDepth(range, p, d, end, 16.0);
-  float combs = 8.0 * sqrt(max(largest(pivot), 0.0));
+  float combs = 32.0 * sqrt(mapped);
   vec3 term = vec3(1.0), sum = vec3(1.0);
   int k = 1;
   bool more = random3().x < kGoesOn;
   while (more) {
-    term *= (pivot - combDepth(range, p, d, end, combs)) / (float(k) * kGoesOn);
+    term *= (mapped - combDepth(range, p, d, end, combs)) / (float(k) * kGoesOn);
     sum += term;
     ++k;
     more = random3().x < kGoesOn && k < 64;
   }
-  return exp(-pivot) * sum;
+  return exp(-mapped) * sum;
 }
 #endif
 
@@ -300,22 +304,20 @@ bool scatter(Vertex v) {
   vec3 brought = pathMean() * lightBrought(v, light, chance, towards, distance, range);
   flight.o = v.p;
   if (largest(brought) <= 0.0) return continuePath();
-#if TRANSMITTANCE == TRANSMITTANCE_SERIES
-  float mapped = -1.0;
-#if LIGHT_KINDS & MAPPED_SHADOWS
+#if TRANSMITTANCE == TRANSMITTANCE_SERIES && (LIGHT_KINDS & MAPPED_SHADOWS)
+  // Where the map is dark a flight is soon over.
   int shadow = lights[max(light, 0)].shadow.x;
   if (light >= 0 && shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH && chances.y < 0.0) {
-    mapped = -log(max(lookupTransmittance(light, v.p, !v.solid), 1e-30));
-    mapped = mapped < 6.0 ? mapped : -1.0;
+    float mapped = -log(max(lookupTransmittance(light, v.p, !v.solid), 1e-30));
+    if (mapped < kSeriesDepth) {
+      add(brought * seriesTransmittance(range, v.p, towards, distance, mapped), bounces);
+      return continuePath();
+    }
   }
 #endif
-  add(brought * seriesTransmittance(range, v.p, towards, distance, mapped), bounces);
-  return continuePath();
-#else
   pending = brought, lightOfFlight = light;
   flight = flightFrom(v.p, towards, distance, range, true);
   return true;
-#endif
 }
 
 // The end of a flight. False: the sample ends with it.
@@ -332,10 +334,14 @@ bool arrive() {
   if (camera && !collided) radiance.a = solid ? 1.0 : 1.0 - (passes.r + passes.g + passes.b) / 3.0;
   if (!collided && !solid) {
 #if ENVIRONMENT
-    ivec2 at = environmentTexel(flight.d);
-    float other = environmentDensity(at) * sky;
-    float part = camera ? (environmentVisible ? 1.0 : 0.0) : density / max(density + other, 1e-30);
-    add(passes * part * environmentAt(at).rgb, max(bounces - 1, 0));
+    if (!camera) {
+      ivec2 at = environmentTexel(flight.d);
+      float other = environmentDensity(at) * sky;
+      add(passes * density / max(density + other, 1e-30) * environmentAt(at).rgb, bounces - 1);
+    }
+#endif
+#if BACKDROP
+    if (camera) add(passes * backdrop(flight.d), 0);
 #endif
     return false;
   }

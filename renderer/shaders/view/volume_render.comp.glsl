@@ -2,8 +2,9 @@
 // dispatch, averaged into the target. Over a step the medium is what it is in its middle; light is looked up
 // where steps begin and end. The march ends at the nearest solid, which adds T_cam albedo / pi SUM E
 // cos T_light. What emits adds its radiance per metre to the source, and lights nothing.
-// Variant constants: LIGHTS (their number, or 0: lightCount), REACHED (at least as many), DEPTH (1: no
-// light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
+// Behind all that lies what is seen of environments.
+// Variant constants: BACKDROP (1: there is one), LIGHTS (their number, or 0: lightCount), REACHED (at least
+// as many), DEPTH (1: no light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
 // lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
 #include "lib/camera_march.glsl"
@@ -15,6 +16,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #ifndef DEPTH
 #define DEPTH 0
 #endif
+#ifndef BACKDROP
+#define BACKDROP 0
+#endif
+#include "lib/backdrop.glsl"
 
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2D target;
 uniform int lightCount, sampleIndex, samples;  // at least one light (a black one, if need be)
@@ -39,13 +44,21 @@ vec3 arrivingIfDue(int l, vec3 p, out vec3 towards) {
   return paused ? vec3(0.0) : arriving;
 }
 
-// Of the volume in register k, and of volume v; `w` of its albedo.
+// Of the volume in register k, and of volume v; `w` of its albedo. `narrow` is the mean cosine of the
+// directions that a light stands for: lobes of Henyey and Greenstein blurred by it have g times that.
 #if PHASE_LOBES
-float phaseOf(Stretch s, int k, float cosine) { return phaseOfLobes(cosine, s.lobes[k], s.albedo[k].w); }
-float phaseOf(int v, float w, float cosine) { return phaseOfLobes(cosine, lobesOf(v), w); }
+float phaseOf(vec4 lobes, float w, float cosine, float narrow) {
+  return phaseOfLobes(cosine, lobes * vec4(narrow, 1.0, narrow, 1.0), w);
+}
+float phaseOf(Stretch s, int k, float cosine, float narrow) {
+  return phaseOf(s.lobes[k], s.albedo[k].w, cosine, narrow);
+}
+float phaseOf(int v, float w, float cosine, float narrow) { return phaseOf(lobesOf(v), w, cosine, narrow); }
 #else
-float phaseOf(Stretch s, int k, float cosine) { return phaseHg(cosine, s.albedo[k].w); }
-float phaseOf(int v, float w, float cosine) { return phaseHg(cosine, w); }
+float phaseOf(Stretch s, int k, float cosine, float narrow) {
+  return phaseHg(cosine, narrow * s.albedo[k].w);
+}
+float phaseOf(int v, float w, float cosine, float narrow) { return phaseHg(cosine, narrow * w); }
 #endif
 
 // Scattering per unit length and solid angle of one volume: sigma_s p.
@@ -54,17 +67,17 @@ vec3 scattering(vec4 albedo, vec4 medium, float phase) {
 }
 
 // Of all that are active.
-vec3 scattering(Stretch s, StretchSample x, float cosine) {
+vec3 scattering(Stretch s, StretchSample x, float cosine, float narrow) {
   vec3 sum = vec3(0.0);
   for (int k = 0; k < ACTIVE; ++k)
-    sum += k < s.count ? scattering(s.albedo[k], x.media[k], phaseOf(s, k, cosine)) : vec3(0.0);
+    sum += k < s.count ? scattering(s.albedo[k], x.media[k], phaseOf(s, k, cosine, narrow)) : vec3(0.0);
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
       VolumeRay ray;
       if (isActive(s, item, ray)) {
         int v = tileItem(item);
         vec4 albedo = albedoOf(v);
-        sum += scattering(albedo, mediumAt(ray, middleOf(x)), phaseOf(v, albedo.w, cosine));
+        sum += scattering(albedo, mediumAt(ray, middleOf(x)), phaseOf(v, albedo.w, cosine, narrow));
       }
     }
   }
@@ -84,12 +97,13 @@ vec3 scattering(Stretch s, StretchSample x, int l, Passage q) {
   vec3 sum = vec3(0.0);
   do {
     float part = points == 1 ? 0.5 : (float(i / 2) + 0.5 + ((i & 1) == 0 ? -kGauss : kGauss)) / parts;
-    sum += scattering(s, x, sun ? dot(lights[l].towards.xyz, s.d) : -sin(q.angles.x + part * turn));
+    sum += scattering(s, x, sun ? dot(lights[l].towards.xyz, s.d) : -sin(q.angles.x + part * turn),
+                      sun ? lights[l].towards.w : 1.0);
     ++i;
   } while (i < points);
   return sum / float(points);
 #else
-  return scattering(s, x, dot(lights[l].towards.xyz, s.d));
+  return scattering(s, x, dot(lights[l].towards.xyz, s.d), lights[l].towards.w);
 #endif
 }
 
@@ -231,6 +245,9 @@ void main() {
   marchMedia(ray);
   if (T < kOpaque) T = 0.0;
   if (meetsSolid(ray)) addSolid(ray);
+#if BACKDROP
+  if (!paused && ray.end >= kNoHit) L += T * backdrop(ray.d);
+#endif
   keep(regionSlot(pixel), vec4(L, T));
   if (paused) return;
   vec4 before = sampleIndex == 0 ? vec4(0.0) : imageLoad(target, pixel);

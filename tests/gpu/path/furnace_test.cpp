@@ -12,7 +12,7 @@ view::RenderScene furnace(const volume::InstanceList& volumes, int samples, ivec
   scene.options.camera = {{0, 0.4, 2.4}, {0, 0, 0}, {0, 1, 0}, 40};
   scene.volumes = volumes;
   for (volume::Instance& i : scene.volumes) i.medium.albedo = vec3(1.0f);
-  scene.environment = test::halves(vec3(1), vec3(1));
+  scene.lights = {test::halves(vec3(1), vec3(1))};
   return scene;
 }
 

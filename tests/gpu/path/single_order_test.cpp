@@ -29,8 +29,8 @@ TEST(PathSingleOrder, SlabUnderASun) {
   for (const auto estimate : {view::ShadowEstimate::Series, view::ShadowEstimate::Ratio}) {
     const char* name = estimate == view::ShadowEstimate::Series ? "series" : "ratio";
     test::expectMean(test::traced(slab(false), once(estimate)),
-                     kAlbedo / (4 * kPi) * (1 - std::exp(-2 * kSigma * kDepth)) / 2, 5e-3 * kAlbedo / (4 * kPi),
-                     fmt::format("slab, lit side, {}", name));
+                     kAlbedo / (4 * kPi) * (1 - std::exp(-2 * kSigma * kDepth)) / 2,
+                     5e-3 * kAlbedo / (4 * kPi), fmt::format("slab, lit side, {}", name));
     test::expectMean(test::traced(slab(true), once(estimate)),
                      kAlbedo / (4 * kPi) * kSigma * kDepth * std::exp(-kSigma * kDepth),
                      5e-3 * kAlbedo / (4 * kPi), fmt::format("slab, against the light, {}", name));
@@ -59,12 +59,15 @@ TEST(PathSingleOrder, CloudAsItIsMarched) {
     const test::Traced t = test::traced(scene, once(estimate));
     test::expectMean(t, right, 0.005 * right,
                      estimate == view::ShadowEstimate::Series ? "cloud, series" : "cloud, ratio");
-    EXPECT_NEAR(t.alpha, [&] {
-      double sum = 0;
-      for (std::size_t i = 3; i < marched.layers[0].pixels.size(); i += 4)
-        sum += double(marched.layers[0].pixels[i]) / (32 * 18);
-      return sum;
-    }(), 2e-3);
+    EXPECT_NEAR(
+        t.alpha,
+        [&] {
+          double sum = 0;
+          for (std::size_t i = 3; i < marched.layers[0].pixels.size(); i += 4)
+            sum += double(marched.layers[0].pixels[i]) / (32 * 18);
+          return sum;
+        }(),
+        2e-3);
   }
 }
 
@@ -73,7 +76,8 @@ TEST(PathSingleOrder, Emission) {
   view::RenderScene scene = test::rayScene({0, 0, 5}, {0, 0, 0}, 32, 64);
   volume::Instance fire = test::box({0, 0, 0}, {2, 2, 2}, 0);
   fire.density = 1;
-  fire.emission = volume::makeRemap(0, 1, std::vector<vec4>(volume::kRemapEntries, vec4(0.5f, 0.5f, 0.5f, 0.5f)));
+  fire.emission =
+      volume::makeRemap(0, 1, std::vector<vec4>(volume::kRemapEntries, vec4(0.5f, 0.5f, 0.5f, 0.5f)));
   scene.volumes = {fire};
   EXPECT_NEAR(test::traced(scene).gray(), 1.0, 1e-5);
   EXPECT_EQ(test::traced(scene).alpha, 0.0);

@@ -17,7 +17,7 @@ view::RenderScene slab(const Slab& s, bool reflected, int samples) {
   scene.volumes = {test::box({0, 0, 0}, {1e4, 1, 1e4}, s.depth)};
   scene.volumes[0].medium.albedo = vec3(float(s.albedo));
   scene.volumes[0].medium.phase = scene::henyeyGreenstein(s.g);
-  scene.environment = reflected ? test::halves(vec3(1), vec3(0)) : test::halves(vec3(0), vec3(1));
+  scene.lights = {reflected ? test::halves(vec3(1), vec3(0)) : test::halves(vec3(0), vec3(1))};
   return scene;
 }
 

@@ -1,0 +1,113 @@
+// light.environment: light from everywhere, by a picture of it.
+#include <cmath>
+
+#include "nodes/declare/describe.h"
+#include "nodes/types/environment_common.h"
+#include "renderer/base/jobs.h"
+#include "renderer/image/environment_import.h"
+#include "renderer/scene/environment_suns.h"
+
+namespace pileus::nodes {
+namespace {
+
+struct In {
+  FilePath file;
+  std::string colorspace;
+  double rotation = 0;
+  double exposure = 0;
+  Color tint{vec3(1.0f)};
+  bool visible = true;
+};
+
+struct Out {
+  LightValue light;
+};
+
+void describe(Describe<In, Out>& d) {
+  d.name("Environment").category("Light").keywords("hdri hdr image based lighting ibl dome sky latlong");
+  d.help(
+      "Light from everywhere, by a lat-long picture: OpenEXR or Radiance HDR, whose values are radiance and "
+      "whose data window is the map. Up to four bright discs become suns with shadows of their own; 'Path "
+      "Trace' takes all of the rest, 'Volume Render' and shadow nodes sixteen suns that stand for it.");
+  d.in("file", &In::file)
+      .file("exr,hdr")
+      .help("The picture. Its middle column shows azimuth 0, its top row straight up.");
+  d.in("colorspace", &In::colorspace)
+      .label("Color space")
+      .help("Of the file, by its name in the colour configuration ($OCIO, else the shipped one). Empty: linear "
+            "Rec. 709.");
+  d.in("rotation", &In::rotation)
+      .unit("deg")
+      .range(-36000, 36000)
+      .soft(-180, 180)
+      .help("Added to every azimuth: turns it about the vertical.");
+  d.in("exposure", &In::exposure).unit("stops").range(-40, 40).soft(-8, 8).help("Twice as bright for each.");
+  d.in("tint", &In::tint).range(0, 1e6).soft(0, 1).help("Multiplies the radiance; linear, in the working space.");
+  d.in("visible", &In::visible).help("Is it seen behind the media? Alpha stays that of the media.");
+  d.out("light", &Out::light).help("Its suns, and what stands for the rest.");
+}
+
+/// What a file comes to, whatever way it is turned and however bright.
+struct Read {
+  std::vector<scene::Light> suns;
+  std::shared_ptr<const scene::Environment> rest;
+  std::shared_ptr<const scene::EnvironmentStrata> strata;
+  std::vector<std::string> warnings;
+  ivec2 size{0};
+};
+
+Result<Read> readMap(const std::string& path, const std::string& colorspace, JobControl& control) {
+  Read read;
+  PILEUS_TRY(image::EnvironmentFile file, image::importEnvironment(path, control));
+  PILEUS_TRY(const auto config, image::ColorConfig::load(""));
+  read.size = file.map.size;
+  auto rest = std::make_shared<scene::Environment>();
+  PILEUS_TRY(rest->map, image::environmentFrom(std::move(file), colorspace, *config, read.warnings));
+  if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
+  read.suns = scene::extractSuns(rest->map);
+  read.strata = std::make_shared<const scene::EnvironmentStrata>(rest->map);
+  read.rest = std::move(rest);
+  return read;
+}
+
+struct Import {
+  std::unique_ptr<Job<Read>> job;
+};
+
+Result<Out> evaluate(const In& in, EvalContext& ctx) {
+  if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
+  auto& job = ctx.state<Import>().job;
+  if (!job)
+    job = std::make_unique<Job<Read>>([path = in.file.path, space = in.colorspace](JobControl& control) {
+      return readMap(path, space, control);
+    });
+  if (!job->done()) {
+    ctx.pending(job->progress(), "Reading " + std::filesystem::path(in.file.path).filename().string());
+    return Out{};
+  }
+  if (!job->result()) return fail(job->result().error().code, "file: {}", job->result().error().message);
+  const Read& read = *job->result();
+  for (const std::string& warning : read.warnings) ctx.warn(warning);
+  auto environment = std::make_shared<scene::Environment>(*read.rest);
+  environment->rotation = in.rotation;
+  environment->scale = in.tint.rgb * float(std::exp2(in.exposure));
+  environment->visible = in.visible;
+  Out out;
+  for (scene::Light sun : read.suns) {
+    sun.towards = scene::turned(sun.towards, in.rotation);
+    sun.emitted *= environment->scale;
+    out.light.items.push_back({sun, nullptr});
+  }
+  for (LightWithShadow& part : standIns(environment, *read.strata)) out.light.items.push_back(std::move(part));
+  ctx.note(fmt::format("{} x {}; {} {} taken out of it", read.size.x, read.size.y, read.suns.size(),
+                       read.suns.size() == 1 ? "sun is" : "suns are"));
+  return out;
+}
+
+}  // namespace
+
+NodeType node_light_environment() {
+  return makeNode<In, Out>("light.environment", 1, describe, evaluate);
+}
+
+}  // namespace pileus::nodes

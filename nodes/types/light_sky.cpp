@@ -1,0 +1,129 @@
+// light.sky: the sky of the Earth, and the sun seen through it.
+#include <cmath>
+
+#include "nodes/declare/describe.h"
+#include "nodes/types/environment_common.h"
+#include "renderer/base/jobs.h"
+#include "renderer/scene/sky.h"
+
+namespace pileus::nodes {
+namespace {
+
+struct In {
+  double azimuth = 45;
+  double elevation = 35;
+  double irradiance = 10;
+  double exposure = 0;
+  double altitude = 0;
+  double height = 1000;
+  double air = 1;
+  double aerosol = 1;
+  double ozone = 1;
+  double ground_albedo = 0.3;
+  bool visible = true;
+};
+
+struct Out {
+  LightValue light, sun, sky;
+};
+
+void describe(Describe<In, Out>& d) {
+  d.name("Sky").category("Light").keywords("atmosphere sun daylight physical dusk dawn sunset");
+  d.help(
+      "The sky of the Earth and the sun seen through its air, all orders of scattering in it, and the ground's "
+      "light. Sun and sky fit together at every hour, also when the sun has set.");
+  d.in("azimuth", &In::azimuth)
+      .unit("deg")
+      .range(-36000, 36000)
+      .soft(-180, 180)
+      .help("Of the sun, from +Z towards +X.");
+  d.in("elevation", &In::elevation)
+      .unit("deg")
+      .range(-90, 90)
+      .help("Of the sun's middle above the horizon, without refraction.");
+  d.in("irradiance", &In::irradiance)
+      .unit("W/m^2")
+      .range(0, 1e9)
+      .soft(0, 50)
+      .help("Of the sun above the air; the sky in proportion.");
+  d.in("exposure", &In::exposure).unit("stops").range(-40, 40).soft(-8, 8).help("Twice as bright for each.");
+  d.in("altitude", &In::altitude)
+      .unit("m")
+      .range(-500, 90000)
+      .soft(0, 5000)
+      .help("Of the height 0 of the scene, above the sea.");
+  d.in("height", &In::height)
+      .unit("m")
+      .range(0, 90000)
+      .soft(0, 15000)
+      .help("In the scene, at which sky and sun are seen: that of the clouds.");
+  d.in("air", &In::air).range(0, 100).soft(0, 4).help("Molecules; 1 is the Earth's, 0 none.");
+  d.in("aerosol", &In::aerosol).range(0, 100).soft(0, 8).help("Haze; 1 is a clear day.");
+  d.in("ozone", &In::ozone).range(0, 100).soft(0, 4).help("Makes dusk blue; 1 is the usual amount.");
+  d.in("ground_albedo", &In::ground_albedo)
+      .range(0, 1)
+      .label("Ground albedo")
+      .help("What the ground sends back of its light: 0.06 the sea, 0.2 land, 0.9 snow.");
+  d.in("visible", &In::visible).help("Is it seen behind the media? Alpha stays that of the media.");
+  d.out("light", &Out::light).help("Sun and sky.");
+  d.out("sun", &Out::sun).help("The sun alone.");
+  d.out("sky", &Out::sky).help("The sky and the ground alone.");
+}
+
+struct Made {
+  std::shared_ptr<const scene::Environment> environment;
+  std::shared_ptr<const scene::EnvironmentStrata> strata;
+  dvec3 sun{0};  ///< irradiance
+};
+
+Made make(const In& in) {
+  const scene::Air air{in.air, in.aerosol, in.ozone, in.ground_albedo};
+  const double height = std::clamp(in.altitude + in.height, 0.0, 0.99 * scene::kAirTop);
+  Made made;
+  auto e = std::make_shared<scene::Environment>();
+  e->map = scene::skyMap(scene::Atmosphere(air), {in.elevation, in.irradiance, height});
+  e->rotation = in.azimuth;
+  e->scale = vec3(float(std::exp2(in.exposure)));
+  e->visible = in.visible;
+  made.strata = std::make_shared<const scene::EnvironmentStrata>(e->map);
+  made.environment = std::move(e);
+  made.sun = scene::sunAbove(in.irradiance) * scene::sunTransmittance(air, height, in.elevation) *
+             std::exp2(in.exposure);
+  return made;
+}
+
+struct Work {
+  std::unique_ptr<Job<Made>> job;
+};
+
+Result<Out> evaluate(const In& in, EvalContext& ctx) {
+  auto& job = ctx.state<Work>().job;
+  if (!job)
+    job = std::make_unique<Job<Made>>([in](JobControl&) -> Result<Made> { return make(in); });
+  if (!job->done()) {
+    ctx.pending(job->progress(), "Making the sky");
+    return Out{};
+  }
+  if (!job->result()) return job->result().error();
+  const Made& made = *job->result();
+  Out out;
+  if (glm::any(glm::greaterThan(made.sun, dvec3(0)))) {
+    scene::Light sun;
+    sun.kind = scene::LightKind::Sun;
+    sun.towards = scene::sunDirection(in.azimuth, in.elevation);
+    sun.emitted = vec3(made.sun);
+    out.sun.items.push_back({sun, nullptr});
+  } else {
+    ctx.note("The sun has set");
+  }
+  out.sky.items = standIns(made.environment, *made.strata);
+  out.light.items = out.sun.items;
+  out.light.items.insert(out.light.items.end(), out.sky.items.begin(), out.sky.items.end());
+  return out;
+}
+
+}  // namespace
+
+NodeType node_light_sky() { return makeNode<In, Out>("light.sky", 1, describe, evaluate); }
+
+}  // namespace pileus::nodes

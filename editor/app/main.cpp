@@ -8,6 +8,7 @@
 #include "editor/cli/cli.h"
 #include "editor/commands/keyboard.h"
 #include "renderer/base/file.h"
+#include "renderer/base/jobs.h"
 #include "renderer/volume/vdb_child.h"
 
 namespace {
@@ -40,5 +41,7 @@ int main(int argc, char** argv) {
     return markdown ? pileus::editor::keyboardMarkdown() : pileus::editor::keyboardText();
   };
   side.measure = pileus::editor::benchWindow;
-  return pileus::cli::run(argc, argv, side);
+  const int code = pileus::cli::run(argc, argv, side);
+  pileus::joinRetiredJobs();
+  return code;
 }

@@ -26,10 +26,11 @@ namespace {
 constexpr std::uint64_t kCacheBytes = std::uint64_t(16) << 30;
 constexpr std::size_t kMaxMessage = 1024;
 
-Error about(const fs::path& path, Code code, std::string_view reason) {
+/// `passing`: the file is not to blame, it may be read later.
+Error about(const fs::path& path, Code code, std::string_view reason, bool passing = false) {
   std::string message = fmt::format("{}: {}", path.string(), reason);
   if (message.size() > kMaxMessage) message = message.substr(0, kMaxMessage - 3) + "...";
-  return Error{code, std::move(message)};
+  return Error{code, std::move(message), passing};
 }
 
 /// Behind what is wrong with a file: perhaps its format is one that this build has never seen.
@@ -90,7 +91,7 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
   arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
   auto started =
       ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
-  if (!started) return started.error();
+  if (!started) return about(path, Code::Internal, started.error().message, true);
   ChildProcess& child = *started;
   leftovers.process = child.id();
   const auto begin = std::chrono::steady_clock::now();
@@ -99,7 +100,8 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
     open = child.read(std::chrono::milliseconds(20));
     if (control.cancelled()) return fail(Code::Cancelled, "cancelled");  // the destructor kills
     if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > limits.wallSeconds)
-      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.wallSeconds));
+      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.wallSeconds),
+                   true);
     while (true) {
       auto message = takeMessage(child.out);
       if (!message) return message.error();
@@ -108,9 +110,10 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
         control.progress(ByteReader((*message)->content).take<double>());
       else if ((*message)->kind == MessageKind::Store) {
         if (!into.instead || !into.instead->append((*message)->content))
-          return about(path, Code::Internal,
-                       fmt::format("its bricks fit neither into the cache nor into memory ({})",
-                                   std::strerror(errno)));
+          return about(
+              path, Code::Internal,
+              fmt::format("its bricks fit neither into the cache nor into memory ({})", std::strerror(errno)),
+              true);
       } else
         answer = std::move(**message);
     }
@@ -125,14 +128,16 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
   if (WIFSIGNALED(status)) {
     const int s = WTERMSIG(status);
     if (s == SIGXCPU)
-      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
+      return about(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds),
+                   true);
     return about(path, Code::Input,
                  fmt::format("the file is damaged: its reader was stopped by signal {} ({}){}", s,
                              ::strsignal(s), newerFormat(path)));
   }
   if (answer && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(answer->content);
   return about(path, Code::Internal,
-               fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
+               fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)),
+               true);
 }
 
 /// What a store keeps beside the grid: warnings, and after a mark the names of the file's other grids.
@@ -195,7 +200,7 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
   auto stored = readStore(memory.holdsAny() ? memory.path() : store);
   if (!stored)
     return about(path, Code::Internal,
-                 fmt::format("its bricks cannot be read back: {}", stored.error().message));
+                 fmt::format("its bricks cannot be read back: {}", stored.error().message), true);
   ImportedGrid out = fromStore(stored->grid, std::move(stored->notes));
   if (memory.holdsAny())
     out.warnings.push_back(fmt::format("the file is read without the cache, each time anew: {}", unwritten));

@@ -82,6 +82,7 @@ PreviewRequest previewRequest(const Editor& editor) {
   request.size = editor.shown.renderSize;
   if (linkedCamera(editor.session, request.view).empty()) request.freeCamera = editor.shown.freeCamera;
   request.folder = editor.session.document.path().parent_path();
+  applyLookAround(editor.session, editor.shown, request);
   applyLightView(editor.session, editor.clock, editor.shown, request);
   request.frame = editor.clock.frame;
   request.layer = editor.shown.mode.layer;

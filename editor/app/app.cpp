@@ -96,6 +96,10 @@ void evaluate(Editor& editor) {
   // events wait, the picture does.
   const Stopwatch clock;
   editor.shown.preview.watchFiles();
+  // Until the comparison shows what it will be, it is not left to what a refinement spares: that is nothing.
+  if (!editor.shown.preview.complete() && !editor.window.inputPending() &&
+      !labWantsFrame(editor.shown, editor.lab) && compareWantsFrame(editor.shown))
+    stepCompare(editor.messages, editor.shown, kSliceMs * (editor.shown.compare.shownTruth() ? 0.25 : 0.6));
   while (!editor.window.inputPending()) {
     editor.shown.preview.step(previewRequest(editor));
     if (editor.shown.preview.complete() || !editor.shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;

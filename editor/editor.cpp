@@ -142,6 +142,7 @@ void documentReplaced(Editor& editor) {
   shown.slots = {};
   shown.freeCamera.reset();
   shown.look = {};
+  shown.around = {};
   shown.scene = {};
   shown.mode.layer = {};
   shown.mode.scan.forget();

@@ -82,6 +82,7 @@ PreviewRequest previewRequest(const Editor& editor) {
   request.size = editor.shown.renderSize;
   if (linkedCamera(editor.session, request.view).empty()) request.freeCamera = editor.shown.freeCamera;
   request.folder = editor.session.document.path().parent_path();
+  applyLookAround(editor.session, editor.shown, request);
   applyLightView(editor.session, editor.clock, editor.shown, request);
   request.frame = editor.clock.frame;
   request.layer = editor.shown.mode.layer;
@@ -95,6 +96,10 @@ void evaluate(Editor& editor) {
   // events wait, the picture does.
   const Stopwatch clock;
   editor.shown.preview.watchFiles();
+  // Until the comparison shows what it will be, it is not left to what a refinement spares: that is nothing.
+  if (!editor.shown.preview.complete() && !editor.window.inputPending() &&
+      !labWantsFrame(editor.shown, editor.lab) && compareWantsFrame(editor.shown))
+    stepCompare(editor.messages, editor.shown, kSliceMs * (editor.shown.compare.shownTruth() ? 0.25 : 0.6));
   while (!editor.window.inputPending()) {
     editor.shown.preview.step(previewRequest(editor));
     if (editor.shown.preview.complete() || !editor.shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;

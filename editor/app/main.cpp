@@ -8,6 +8,7 @@
 #include "editor/cli/cli.h"
 #include "editor/commands/keyboard.h"
 #include "renderer/base/file.h"
+#include "renderer/base/jobs.h"
 #include "renderer/image/environment_import.h"
 #include "renderer/volume/vdb_child.h"
 
@@ -42,5 +43,7 @@ int main(int argc, char** argv) {
     return markdown ? pileus::editor::keyboardMarkdown() : pileus::editor::keyboardText();
   };
   side.measure = pileus::editor::benchWindow;
-  return pileus::cli::run(argc, argv, side);
+  const int code = pileus::cli::run(argc, argv, side);
+  pileus::joinRetiredJobs();
+  return code;
 }

@@ -39,6 +39,7 @@ void TraceReport::write(Editor& editor) {
   j["frame"] = editor.clock.frame;
   j["answered"] = editor.shown.preview.answered();
   j["pictureFrame"] = editor.shown.preview.frame();
+  j["keptBytes"] = editor.shown.preview.evaluator().keptBytes();
   j["playing"] = editor.clock.play.direction();
   j["typing"] = ImGui::GetIO().WantTextInput;
   j["glFaults"] = editor.window.glFaults();

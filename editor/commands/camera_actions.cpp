@@ -15,6 +15,8 @@ namespace {
 bool hasView(const Editor& e) { return !shownView(e.session, e.shown).empty(); }
 bool freeView(const Editor& e) { return hasView(e) && !hasLinkedCamera(e.session, e.shown); }
 
+bool looksAround(const Editor& e) { return aroundCamera(e.session, e.shown).has_value(); }
+
 template <GizmoMode M>
 void tool(Editor& e) {
   setGizmoMode(e.viewport, M);
@@ -84,6 +86,26 @@ const Action kActions[] = {
      .panel = P::Viewport,
      .run = [](Editor& e) { unlinkCamera(e.messages, e.session, e.clock, e.shown); },
      .enabled = [](const Editor& e) { return hasLinkedCamera(e.session, e.shown); }},
+    {.id = "viewport.lock_camera",
+     .label = "Lock Camera",
+     .menu = kCameras,
+     .panel = P::Viewport,
+     .run = [](Editor& e) { toggleCameraLock(e.messages, e.session, e.clock, e.shown); },
+     .enabled = [](const Editor& e) { return hasLinkedCamera(e.session, e.shown); },
+     .checked = [](const Editor& e) { return cameraLocked(e.session, e.clock, e.shown); }},
+    {.id = "viewport.back_to_camera",
+     .label = "Back to Camera",
+     .menu = kCameras,
+     .panel = P::Viewport,
+     .keys = {plain(GLFW_KEY_BACKSPACE)},
+     .run = [](Editor& e) { backToCamera(e.shown); },
+     .enabled = looksAround},
+    {.id = "viewport.camera_to_view",
+     .label = "Move Camera Here",
+     .menu = kCameras,
+     .panel = P::Viewport,
+     .run = [](Editor& e) { cameraToView(e.messages, e.session, e.clock, e.shown); },
+     .enabled = looksAround},
     PILEUS_GO(1),
     PILEUS_GO(2),
     PILEUS_GO(3),

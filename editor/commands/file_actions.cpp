@@ -1,6 +1,7 @@
 // Commands of documents.
 #include "editor/commands/drop_commands.h"
 #include "editor/commands/files.h"
+#include "editor/commands/relink.h"
 #include "editor/commands/table.h"
 #include "editor/picture/shown_camera.h"
 
@@ -31,6 +32,11 @@ const Action kActions[] = {
      .menu = "File",
      .panel = P::Global,
      .run = askImportVdb},
+    {.id = "file.missing",
+     .label = "Find Missing Files\xe2\x80\xa6",
+     .menu = "File",
+     .panel = P::Global,
+     .run = showMissing},
     {.id = "file.save",
      .label = "Save",
      .menu = "File",

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "editor/commands/relink.h"
 #include "editor/document/drops.h"
 #include "editor/document/graph_pictures.h"
 #include "editor/document/session.h"
@@ -157,6 +158,7 @@ bool openFile(Editor& editor, const fs::path& path) {
   put(editor, std::move(*loaded), whole, whole.filename().string());
   editor.session.diskStamp = fileStamp(whole);
   remember(editor.settings.recentFiles, whole.string());
+  tellMissing(editor);
   return true;
 }
 

@@ -17,6 +17,7 @@
 #include "editor/editor.h"
 #include "editor/exchange/messages.h"
 #include "editor/preferences/settings.h"
+#include "editor/start/start_view.h"
 #include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
@@ -205,6 +206,8 @@ const char* actionIcon(std::string_view id) {
 }
 
 std::string presetLabel(std::string_view path) {
+  for (const PresetText& text : galleryTexts())
+    if (path.substr(path.find_last_of('/') + 1) == text.file) return text.name;
   std::string label(path.substr(path.find_last_of('/') + 1));
   if (label.ends_with(".json")) label.resize(label.size() - 5);
   for (char& c : label)

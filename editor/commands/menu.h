@@ -22,7 +22,7 @@ inline constexpr const char* kMenus[] = {"File", "Edit", "Graph", "Viewport", "V
 std::string_view menuOf(const Action& action);
 /// An icon for what has a well-known one; null for the others.
 const char* actionIcon(std::string_view id);
-/// "first_light.json" -> "First light".
+/// As the gallery calls it; "first_light.json" -> "First light" where it is not there.
 std::string presetLabel(std::string_view path);
 
 /// Returns its height in pixels.

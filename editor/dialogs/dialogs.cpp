@@ -6,12 +6,14 @@
 #include <algorithm>
 
 #include "editor/commands/files.h"
+#include "editor/commands/relink.h"
 #include "editor/commands/shortcut_sheet.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/exchange/messages.h"
 #include "editor/exchange/requests.h"
 #include "editor/picture/shown.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/modals.h"
 #include "editor/toolkit/theme.h"
@@ -109,6 +111,37 @@ void drawFaults(Editor& editor) {
   ImGui::EndPopup();
 }
 
+void drawMissing(Editor& editor) {
+  Modals& d = editor.modals;
+  if (!beginModal(editor, "Missing files", !d.missing.empty(), 640)) return;
+  heading(editor, d.missing.size() == 1 ? "A file is missing" : "Some files are missing");
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted("What is found in a folder or below it by its name is taken from there.");
+  ImGui::PopTextWrapPos();
+  const float line = ImGui::GetTextLineHeightWithSpacing(), most = ImGui::GetIO().DisplaySize.y * 0.4f;
+  ImGui::BeginChild("list", {0, std::min(most, line * (2 * static_cast<float>(d.missing.size()) + 0.8f))},
+                    true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  for (const Modals::Missing& m : d.missing) {
+    ImGui::TextUnformatted(m.where.c_str());
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextDisabled("%s", endOfPath(editor.theme.body, m.path, room).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", m.path.c_str());
+    editor.trace.note("missing " + m.where, m.path);
+  }
+  ImGui::EndChild();
+  const auto close = [&] {
+    d.missing.clear();
+    ImGui::CloseCurrentPopup();
+  };
+  if (button(editor, "Find in Folder\xe2\x80\xa6", "relink", true) || pressedEnter()) {
+    editor.requests.push([&editor] { askRelink(editor); });
+    close();
+  }
+  ImGui::SameLine();
+  if (button(editor, "Close", "close") || pressedEscape()) close();
+  ImGui::EndPopup();
+}
+
 void drawError(Editor& editor) {
   Modals& d = editor.modals;
   if (!beginModal(editor, "Error", !d.errorText.empty(), 520)) return;
@@ -201,6 +234,7 @@ void drawDialogs(Editor& editor) {
   if (!m.errorText.empty()) return drawError(editor);
   if (m.afterUnsaved) return drawUnsaved(editor);
   if (!m.faults.empty()) return drawFaults(editor);
+  if (!m.missing.empty()) return drawMissing(editor);
   if (m.questions.open()) return drawQuestions(editor.ui, m.questions);
   if (m.shortcuts) return drawShortcuts(editor);
   if (m.about) return drawAbout(editor);

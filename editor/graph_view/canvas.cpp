@@ -123,6 +123,8 @@ void drawCanvas(const GraphRoom& room, ImVec2 min, ImVec2 max, bool hovered) {
   drawFrames(room.ui, room.session, room.canvas, view);
   drawLinks(room.ui.theme, room.session, room.canvas, view, *layout, hit);
   drawNodes(room, view, *layout, hit);
+  canvas.pictures.prune(shownGraph(room.session, room.canvas));
+  if (room.ui.trace.on()) room.ui.trace.note("thumbnails", std::to_string(canvas.pictures.count()));
   drawDistantTitles(room.ui.theme, room.session, room.canvas, view);
   drawDragFeedback(room.ui, room.session, room.canvas, view, *layout, hit);
   drawHints(room.ui.theme, room.session, room.canvas, view);

@@ -49,9 +49,10 @@ void traceNode(Ui& ui, const Session& session, const Shown& shown, const CanvasV
   for (const SocketPlace& s : place.sockets)
     trace.rect("socket/" + place.name + (s.input ? "/in/" : "/out/") + s.id, im(view.screen(s.at) - r),
                im(view.screen(s.at) + r));
-  const FooterKind footer = footerKind(statusOf(session, shown, place.name));
-  if (const FooterRect f = footerRect(view, place, footer); f.max.x > f.min.x)
-    trace.rect((footer == FooterKind::Follower ? "waits/" : "footer/") + place.name, im(f.min), im(f.max));
+  const nodes::NodeStatus& status = statusOf(session, shown, place.name);
+  if (const FooterRect f = footerRect(view, place, status); f.max.x > f.min.x)
+    trace.rect((footerKind(status) == FooterKind::Follower ? "waits/" : "footer/") + place.name, im(f.min),
+               im(f.max));
 }
 
 std::string socketText(const NodePlace& place, const Hit& hit) {

@@ -59,8 +59,8 @@ bool updateFollowers(Session& session, const Shown& shown, Canvas& canvas, const
   if (!view.level.text) return false;
   for (auto place = layout.nodes.rbegin(); place != layout.nodes.rend(); ++place) {
     if (inside(pointer, view.screen(place->min), view.screen(place->max))) return false;
-    if (statusOf(session, shown, place->name).state != nodes::NodeState::Skipped ||
-        !footerRect(view, *place, FooterKind::Follower).contains(pointer))
+    const nodes::NodeStatus& status = statusOf(session, shown, place->name);
+    if (footerKind(status) != FooterKind::Follower || !footerRect(view, *place, status).contains(pointer))
       continue;
     canvas.overlays.follower = place->name;
     if (!ImGui::IsMouseClicked(0)) return true;

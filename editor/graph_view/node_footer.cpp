@@ -14,7 +14,8 @@
 namespace pileus::editor {
 namespace {
 
-constexpr float kFooter = 24, kGap = 5;
+constexpr float kFooter = 24, kGap = 5, kLine = 15, kIcon = 21, kPad = 7;
+constexpr std::size_t kMostLines = 3;
 
 struct FooterLook {
   ImU32 ink, back, edge;
@@ -36,9 +37,41 @@ FooterLook lookOf(FooterKind kind) {
 /// The message without the node's own name, which stands above it.
 std::string_view shortened(const std::string& message, const std::string& node) {
   std::string_view text = message;
-  if (text.starts_with(node) && text.substr(node.size()).starts_with(": "))
-    text.remove_prefix(node.size() + 2);
+  if (!text.starts_with(node)) return text;
+  const std::string_view rest = text.substr(node.size());
+  if (rest.starts_with(": ")) text.remove_prefix(node.size() + 2);
+  if (rest.starts_with(".")) text.remove_prefix(node.size() + 1);
   return text;
+}
+
+/// What is wrong; "" = nothing is.
+std::string_view faultText(const nodes::NodeStatus& status, const std::string& node) {
+  const FooterKind kind = footerKind(status);
+  if (kind == FooterKind::Failed) return shortened(status.error.message, node);
+  return kind == FooterKind::Warning ? std::string_view(status.warnings.front()) : std::string_view();
+}
+
+/// Cut between words; the last line holds all the rest.
+std::vector<std::string_view> linesOf(const CanvasView& view, const NodePlace& place, std::string_view text) {
+  const float room = view.px(place.max.x - place.min.x - kIcon - 2 * kPad);
+  ImFont* font = view.level.text;
+  std::vector<std::string_view> lines;
+  while (lines.size() + 1 < kMostLines && !text.empty()) {
+    const char* end = text.data() + text.size();
+    const char* cut = font->CalcWordWrapPositionA(1, text.data(), end, room);
+    if (cut == end) break;
+    lines.push_back(text.substr(0, static_cast<std::size_t>(cut - text.data())));
+    text.remove_prefix(lines.back().size());
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  lines.push_back(text);
+  return lines;
+}
+
+float footerHeight(const CanvasView& view, const NodePlace& place, const nodes::NodeStatus& status) {
+  const std::string_view fault = faultText(status, place.name);
+  if (fault.empty()) return kFooter;
+  return kFooter + kLine * static_cast<float>(linesOf(view, place, fault).size() - 1);
 }
 
 }  // namespace
@@ -53,10 +86,10 @@ FooterKind footerKind(const nodes::NodeStatus& s) {
   return !s.warnings.empty() && s.state != State::Idle ? FooterKind::Warning : FooterKind::None;
 }
 
-FooterRect footerRect(const CanvasView& view, const NodePlace& place, FooterKind kind) {
-  if (kind == FooterKind::None || !view.level.text) return {};
+FooterRect footerRect(const CanvasView& view, const NodePlace& place, const nodes::NodeStatus& status) {
+  if (footerKind(status) == FooterKind::None || !view.level.text) return {};
   return {glm::round(view.screen({place.min.x, place.max.y + kGap})),
-          glm::round(view.screen({place.max.x, place.max.y + kGap + kFooter}))};
+          glm::round(view.screen({place.max.x, place.max.y + kGap + footerHeight(view, place, status)}))};
 }
 
 void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look) {
@@ -73,32 +106,31 @@ void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& pla
     draw->AddCircleFilled(im(at), r, ink.ink);
     return;
   }
-  const FooterRect r = footerRect(view, place, kind);
+  const FooterRect r = footerRect(view, place, status);
   const float round = view.px(4);
   draw->AddRectFilled(im(r.min), im(r.max),
                       look.hoveredFooter ? mixed(ink.back, palette::kHighlight, 0.08f) : ink.back, round);
   if (ink.edge) draw->AddRect(im(r.min), im(r.max), ink.edge, round, 0, theme.scale);
   ImFont* font = view.level.text;
-  const float y = (r.min.y + r.max.y - font->FontSize) * 0.5f;
-  float x = r.min.x + view.px(7);
+  float y = r.min.y + (view.px(kFooter) - font->FontSize) * 0.5f;
+  float x = r.min.x + view.px(kPad);
   drawText(draw, font, {x, y}, ink.ink, ink.icon, view.px(30));
-  x += view.px(21);
-  const float room = r.max.x - x - view.px(7);
-  char text[160];
-  std::string_view shown;
-  if (kind == FooterKind::Failed) {
-    shown = shortened(status.error.message, place.name);
-  } else if (kind == FooterKind::Warning) {
-    shown = status.warnings.front();
-  } else {
-    const auto out =
-        kind == FooterKind::Follower
-            ? fmt::format_to_n(text, sizeof text, "waits for {}",
-                               look.source.empty() ? "another node" : look.source)
-            : fmt::format_to_n(text, sizeof text, "{} {:.0f} %", status.what, 100 * status.fraction);
-    shown = {text, std::min(out.size, sizeof text)};
+  x += view.px(kIcon);
+  const float room = r.max.x - x - view.px(kPad);
+  if (const std::string_view fault = faultText(status, place.name); !fault.empty()) {
+    for (const std::string_view line : linesOf(view, place, fault)) {
+      drawText(draw, font, {x, y}, ink.ink, line, room + 1);
+      y += view.px(kLine);
+    }
+    return;
   }
-  drawText(draw, font, {x, y}, ink.ink, shown, room);
+  char text[160];
+  const auto out =
+      kind == FooterKind::Follower
+          ? fmt::format_to_n(text, sizeof text, "waits for {}",
+                             look.source.empty() ? "another node" : look.source)
+          : fmt::format_to_n(text, sizeof text, "{} {:.0f} %", status.what, 100 * status.fraction);
+  drawText(draw, font, {x, y}, ink.ink, {text, std::min(out.size, sizeof text)}, room);
 }
 
 void drawCosts(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look) {
@@ -127,7 +159,8 @@ void drawCosts(const Theme& theme, const CanvasView& view, const NodePlace& plac
   const std::string_view shown(text, static_cast<std::size_t>(end - text));
   ImFont* font = view.level.text;
   const bool footer = footerKind(s) != FooterKind::None;
-  const float top = view.screen(place.max).y + view.px(footer ? 2 * kGap + kFooter : kGap);
+  const float top =
+      view.screen(place.max).y + view.px(footer ? 2 * kGap + footerHeight(view, place, s) : kGap);
   const float right = view.screen(place.max).x, left = view.screen(place.min).x;
   const float bar = std::max(2 * theme.scale, std::round(view.px(3)));
   // Its share of all the time, as a bar from the right; then the figures.

@@ -19,7 +19,8 @@ struct FooterRect {
   vec2 min{0}, max{0};
   bool contains(vec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
 };
-FooterRect footerRect(const CanvasView& view, const NodePlace& place, FooterKind kind);
+/// A fault or a warning that does not fit into a line takes up to three.
+FooterRect footerRect(const CanvasView& view, const NodePlace& place, const nodes::NodeStatus& status);
 
 void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look);
 /// Time and memory, at the right below the node.

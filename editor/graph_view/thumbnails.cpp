@@ -47,6 +47,14 @@ void Thumbnails::made(const Shown& shown, Entry& e) {
   e.frame = shown.preview.frame();
 }
 
+void Thumbnails::prune(const nodes::Graph& graph) {
+  std::erase_if(entries_, [&](const auto& entry) {
+    if (graph.nodes.contains(entry.first)) return false;
+    if (entry.second.slot) freeSlots_.push_back(entry.second.slot);
+    return true;
+  });
+}
+
 int Thumbnails::frameOf(const std::string& name) const {
   const auto it = entries_.find(name);
   return it == entries_.end() || !it->second.picture.texture ? 0 : it->second.frame;
@@ -65,6 +73,10 @@ NodePicture Thumbnails::image(const Session& session, const Clock& clock, Shown&
   const bool same = e.source.lock() == picture && e.fraction == picture->fraction && e.display == display;
   if (same || (e.picture.texture && picture->fraction < 1 && ImGui::GetTime() - e.madeAt < kEvery))
     return e.picture;
+  if (e.slot == 0 && !freeSlots_.empty()) {
+    e.slot = freeSlots_.back();
+    freeSlots_.pop_back();
+  }
   if (e.slot == 0) e.slot = kFirstSlot + slots_++;
   view::DisplaySettings plain;
   plain.display = settings.display, plain.view = settings.view, plain.look = settings.look;

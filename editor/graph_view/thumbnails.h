@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "editor/graph_view/draw_node.h"
 #include "renderer/gl/texture.h"
@@ -23,6 +24,9 @@ class Thumbnails {
   NodePicture image(const Session& session, const Clock& clock, Shown& shown, const std::string& name);
   NodePicture map(const Session& session, const Clock& clock, const Shown& shown, const std::string& name,
                   const nodes::NodeType& type);
+  /// Those of nodes that are gone go, and their textures are used again.
+  void prune(const nodes::Graph& graph);
+  std::size_t count() const { return entries_.size(); }
   /// Of the picture that is there; 0 = none is.
   int frameOf(const std::string& name) const;
 
@@ -41,6 +45,7 @@ class Thumbnails {
   void made(const Shown& shown, Entry& e);
 
   std::map<std::string, Entry> entries_;
+  std::vector<int> freeSlots_;
   int slots_ = 0;
 };
 

@@ -84,8 +84,9 @@ void colourFile(const ParameterRoom& room) {
   const std::vector<std::string> kinds = {"ocio"};
   ImGui::PushID("ocio");
   const RowFrame f = rowFrame(room.ui.theme, false);
-  const bool clipped = rowLabel(room.ui.theme, f, "Colour config", !current.empty());
-  (void)clipped;
+  if (!current.empty() && modifiedDot(room.ui, "ocio", "Changed; click to reset", f))
+    setColours(room.session, room.shown, "");
+  rowLabel(room.ui.theme, f, "Colour config", !current.empty());
   toWidget(f);
   std::string text = current;
   const float button = ImGui::GetFrameHeight() + room.ui.theme.px(2);

@@ -31,8 +31,8 @@ GridList gridsOf(GridNames& names, const std::filesystem::path& file) {
   GridNames::File& known = names.files[file.string()];
   if (!known.job || (known.job->done() && known.stamp != stamp)) {
     known.stamp = stamp;
-    known.job = std::make_unique<Job<volume::VdbInfo>>(
-        [file](JobControl& control) { return volume::inspectVdb(file, control); });
+    known.job =
+        looseJob<volume::VdbInfo>([file](JobControl& control) { return volume::inspectVdb(file, control); });
   }
   if (!known.job->done()) return list;
   list.ready = true;

@@ -15,7 +15,7 @@ namespace pileus::editor {
 struct GridNames {
   struct File {
     std::filesystem::file_time_type stamp;
-    std::unique_ptr<Job<volume::VdbInfo>> job;
+    LooseJob<volume::VdbInfo> job;
   };
   std::map<std::string, File> files;  ///< by absolute path
 };

@@ -183,6 +183,21 @@ bool switchField(const Theme& theme, const char* id, bool on, bool mixed) {
   return clicked;
 }
 
+/// Over the field of a path that does not fit: its end, which names the file.
+void showEndOfPath(const std::string& path) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  ImFont* font = ImGui::GetFont();
+  const float room = hi.x - lo.x - 2 * style.FramePadding.x;
+  if (textWidth(font, path) <= room) return;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(lo, hi,
+                      ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
+                      style.FrameRounding);
+  drawText(draw, font, {lo.x + style.FramePadding.x, lo.y + style.FramePadding.y},
+           ImGui::GetColorU32(ImGuiCol_Text), endOfPath(font, path, room), room + 1);
+}
+
 bool textField(const Session& session, Parameters& parameters, const std::string& key, std::string& text,
                float width, const char* hint, const std::vector<std::string>* completeKinds) {
   Parameters& panel = parameters;
@@ -209,6 +224,7 @@ bool textField(const Session& session, Parameters& parameters, const std::string
                          ? ImGui::InputTextWithHint("##text", hint, &text, flags, complete, &completion)
                          : ImGui::InputTextWithHint("##text", hint, &text, flags);
   const bool active = ImGui::IsItemActive();
+  if (completeKinds && !active) showEndOfPath(text);
   if (active) panel.textKey = key, panel.text = text;
   const bool cancelled = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   const bool done = (enter || (editing && ImGui::IsItemDeactivated() && !cancelled)) && text != before;

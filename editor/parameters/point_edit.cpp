@@ -18,7 +18,7 @@ const volume::DensityHistogram* histogramOf(DensityHistograms& histograms, const
       if (!histogram) return fail(Code::Cancelled, "cancelled");
       return std::move(*histogram);
     };
-    it = jobs.emplace(key, std::make_unique<Job<volume::DensityHistogram>>(count)).first;
+    it = jobs.emplace(key, looseJob<volume::DensityHistogram>(count)).first;
   }
   return it->second->done() && it->second->result() ? &*it->second->result() : nullptr;
 }

@@ -25,7 +25,7 @@ struct PointEdit {
 
 /// Histograms of densities, counted in the background; kept by content.
 struct DensityHistograms {
-  std::map<Key, std::unique_ptr<Job<volume::DensityHistogram>>> jobs;
+  std::map<Key, LooseJob<volume::DensityHistogram>> jobs;
 };
 
 /// What is known now: null until it has been counted.

@@ -101,6 +101,7 @@ void unlinkCamera(Messages& messages, Session& session, const Clock& clock, Show
   if (!input) return;
   // The view stays where it is.
   shown.freeCamera = currentCamera(session, clock, shown);
+  shown.around = {};
   nodes::Graph graph = session.document.root();
   std::erase_if(graph.links,
                 [&](const nodes::Link& l) { return l.toNode == user && l.toSocket == input->id; });

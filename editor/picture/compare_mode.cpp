@@ -5,12 +5,14 @@
 
 #include "editor/exchange/messages.h"
 #include "editor/picture/shown.h"
+#include "renderer/base/profile.h"
 
 namespace pileus::editor {
 namespace {
 
-/// A CPU marches some 10,000 pixels of truth while one waits; a GPU all of them.
-constexpr double kCoarsePixels = 10000;
+/// A CPU marches some 10,000 pixels of truth while one waits, and some 1,000 before one notices; a GPU all of
+/// them.
+constexpr double kCoarsePixels = 10000, kDraftPixels = 1000;
 /// The small comparison runs beside the picture's refinement, the large one after it.
 constexpr double kCoarseSamples = 1;
 
@@ -18,15 +20,21 @@ bool whole(const truth::ComparePass* pass, CompareOf of) {
   return pass && (of == CompareOf::Radiance ? pass->pictureWhole() : pass->shadowWhole());
 }
 
-view::RenderScene reduced(const Shown& shown, const view::RenderScene& scene) {
+view::RenderScene reduced(const Shown& shown, const view::RenderScene& scene, double wanted) {
   view::RenderScene out = scene;
   const double pixels = static_cast<double>(scene.options.size.x) * scene.options.size.y;
   const int by = shown.renderer.device().software
-                     ? std::max(2, static_cast<int>(std::lround(std::sqrt(pixels / kCoarsePixels))))
+                     ? std::max(1, static_cast<int>(std::lround(std::sqrt(pixels / wanted))))
                      : 2;
   out.options.size = glm::max(scene.options.size / by, ivec2(1));
   out.options.samples = static_cast<int>(kCoarseSamples);
   return out;
+}
+
+/// What a pass costs, in samples of pixels: two pictures and the shadows' error.
+double units(const view::RenderScene& scene) {
+  const view::RenderOptions& o = scene.options;
+  return (2.0 * o.samples + 1) * o.size.x * o.size.y;
 }
 
 void forget(CompareMode& mode) {
@@ -34,6 +42,12 @@ void forget(CompareMode& mode) {
   mode.coarse.reset();
   mode.fine.reset();
   mode.error.clear();
+  mode.workedMs = mode.workedUnits = 0;
+}
+
+void forgetDraft(CompareMode& mode) {
+  mode.draftScene.reset();
+  mode.draft.reset();
 }
 
 /// 1, 2 or 5 times a power of ten, at least `value`.
@@ -61,7 +75,13 @@ bool hasShadow(const view::RenderScene& scene) {
 
 const truth::ComparePass* CompareMode::shown() const {
   if (whole(fine.get(), of)) return fine.get();
-  return whole(coarse.get(), of) ? coarse.get() : nullptr;
+  if (whole(coarse.get(), of)) return coarse.get();
+  return draftScene == scene && whole(draft.get(), of) ? draft.get() : nullptr;
+}
+
+const truth::ComparePass* CompareMode::shownTruth() const {
+  if (const truth::ComparePass* pass = shown()) return pass;
+  return of == CompareOf::Radiance && whole(draft.get(), of) ? draft.get() : nullptr;
 }
 
 const truth::ComparePass* CompareMode::measured() const {
@@ -72,36 +92,76 @@ const truth::ComparePass* CompareMode::measured() const {
 void followPicture(Shown& shown) {
   CompareMode& mode = shown.compare;
   const auto& picture = shown.preview.picture();
-  if (!mode.on || !picture || !picture->scene) return forget(mode);
-  // A draft has maps of its own, which say nothing about the final ones.
-  if (shown.preview.draft() || picture->scene == mode.scene) return;
+  if (!mode.on || !picture || !picture->scene) return forget(mode), forgetDraft(mode);
+  if (picture->scene == mode.scene) return;
+  if (shown.preview.draft()) {
+    // A draft has maps of its own, which say nothing about the final ones; but its truth is the same.
+    if (picture->scene == mode.draftScene) return;
+    forget(mode);
+    mode.draftScene = picture->scene;
+    mode.draft.reset();
+    if (hasShadow(*picture->scene))
+      mode.draft = std::make_unique<truth::ComparePass>(reduced(shown, *picture->scene, kDraftPixels));
+    return;
+  }
+  // What comes behind its draft keeps that one's truth until it has one itself.
+  const bool behindDraft = mode.draft && !mode.scene;
   forget(mode);
   mode.scene = picture->scene;
+  if (!behindDraft) forgetDraft(mode);
   if (!hasShadow(*mode.scene)) {
     mode.error = "No light of this picture has a shadow to compare.";
     return;
   }
-  mode.coarse = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene));
+  mode.coarse = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kCoarsePixels));
+  if (mode.draft) return;
+  mode.draftScene = mode.scene;
+  mode.draft = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kDraftPixels));
 }
+
+namespace {
+
+/// The draft until it has something to show; then the small one; once the picture is finished the large one.
+truth::ComparePass* passToStep(const Shown& shown) {
+  const CompareMode& mode = shown.compare;
+  if (mode.draft && !whole(mode.draft.get(), mode.of) && !whole(mode.coarse.get(), mode.of) &&
+      (mode.of == CompareOf::Radiance || mode.draftScene == mode.scene))
+    return mode.draft.get();
+  if (!mode.coarse) return nullptr;
+  if (mode.coarse->fraction() < 1) return mode.coarse.get();
+  return mode.fine && mode.fine->fraction() < 1 ? mode.fine.get() : nullptr;
+}
+
+bool fineIsDue(const Shown& shown) {
+  const CompareMode& mode = shown.compare;
+  return mode.coarse && mode.coarse->fraction() >= 1 && !mode.fine && shown.preview.settled();
+}
+
+}  // namespace
 
 bool compareWantsFrame(const Shown& shown) {
   const CompareMode& mode = shown.compare;
-  if (!mode.on || !mode.error.empty() || !mode.coarse || shown.preview.draft() || shown.preview.paused())
-    return false;
-  if (mode.coarse->fraction() < 1) return true;
-  return shown.preview.settled() && (!mode.fine || mode.fine->fraction() < 1);
+  if (!mode.on || !mode.error.empty() || shown.preview.paused() || shown.preview.interacting()) return false;
+  if (fineIsDue(shown)) return true;
+  const truth::ComparePass* pass = passToStep(shown);
+  return pass && (pass != mode.fine.get() || shown.preview.settled());
 }
 
 void stepCompare(Messages& messages, Shown& shown, double ms) {
   CompareMode& mode = shown.compare;
   if (!compareWantsFrame(shown)) return;
-  const bool small = mode.coarse->fraction() < 1;
-  if (!small && !mode.fine) mode.fine = std::make_unique<truth::ComparePass>(*mode.scene);
-  truth::ComparePass& pass = small ? *mode.coarse : *mode.fine;
+  if (fineIsDue(shown)) mode.fine = std::make_unique<truth::ComparePass>(*mode.scene);
+  truth::ComparePass& pass = *passToStep(shown);
+  const Stopwatch clock;
+  const double before = pass.fraction();
   if (const Result<double> done = pass.step(shown.renderer.gpu(), ms); !done) {
     mode.error = done.error().message;
     messages.error("Cannot compare: " + mode.error);
     return;
+  }
+  if (&pass != mode.draft.get()) {
+    mode.workedMs += clock.ms();
+    mode.workedUnits += (pass.fraction() - before) * units(pass.scene());
   }
   if (mode.autoScale)
     if (const truth::ComparePass* m = mode.measured())
@@ -110,7 +170,15 @@ void stepCompare(Messages& messages, Shown& shown, double ms) {
 
 double compareFraction(const CompareMode& mode) {
   if (!mode.coarse) return 0;
-  return 0.1 * mode.coarse->fraction() + 0.9 * (mode.fine ? mode.fine->fraction() : 0);
+  const double small = units(mode.coarse->scene()), large = units(*mode.scene);
+  return (small * mode.coarse->fraction() + large * (mode.fine ? mode.fine->fraction() : 0)) /
+         (small + large);
+}
+
+double compareSecondsLeft(const CompareMode& mode) {
+  if (!mode.coarse || mode.workedUnits <= 0) return -1;
+  const double all = units(mode.coarse->scene()) + units(*mode.scene);
+  return 1e-3 * mode.workedMs / mode.workedUnits * (1 - compareFraction(mode)) * all;
 }
 
 void toggleCompare(Messages& messages, Shown& shown) {

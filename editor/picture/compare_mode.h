@@ -1,7 +1,7 @@
 #pragma once
 // The viewport's compare mode: the picture with the graph's shadows against the same picture with marched
-// ones. The truth is first made small, then at the picture's own size, while nothing else is to be done. GL
-// thread.
+// ones. The truth is first made as a draft of few pixels, of drafts of the picture too, then small, then at
+// the picture's own size, while nothing else is to be done. GL thread.
 #include <array>
 #include <memory>
 #include <string>
@@ -46,15 +46,20 @@ struct CompareMode {
   double radianceScale = 0.1;  ///< the same for radiance; follows the picture while `autoScale`
   bool autoScale = true;
 
-  std::shared_ptr<const view::RenderScene> scene;  ///< what the passes below compare
+  std::shared_ptr<const view::RenderScene> scene;  ///< what the passes below compare; null: only a draft yet
   std::unique_ptr<truth::ComparePass> coarse, fine;
+  std::shared_ptr<const view::RenderScene> draftScene;  ///< of the draft, perhaps with the maps of drafts
+  std::unique_ptr<truth::ComparePass> draft;
+  double workedMs = 0, workedUnits = 0;  ///< spent on them, and what was done in it: for the time left
   std::string error;
 
   truth::CompareDisplay display;
 
   /// What there is to show: the fine pass once it has a whole picture of what is asked for, else the coarse
-  /// one; null while neither has.
+  /// one, else the draft if its maps are the picture's own; null while none has.
   const truth::ComparePass* shown() const;
+  /// Whose truth there is to show: it does not depend on maps.
+  const truth::ComparePass* shownTruth() const;
   /// The scene of a pass with every figure, else the best there is; null before the first.
   const truth::ComparePass* measured() const;
 };
@@ -68,6 +73,8 @@ bool compareWantsFrame(const Shown& shown);
 void stepCompare(Messages& messages, Shown& shown, double ms);
 /// 0..1 of the final comparison.
 double compareFraction(const CompareMode& mode);
+/// Seconds that are left of it, by what was done so far; -1: not known yet.
+double compareSecondsLeft(const CompareMode& mode);
 
 void toggleCompare(Messages& messages, Shown& shown);
 /// Into that layout, and out of compare mode from there.

@@ -8,6 +8,7 @@
 #include "editor/picture/shown.h"
 #include "editor/time/clock.h"
 #include "editor/time/playback.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 
@@ -15,8 +16,11 @@ std::string lightToUse(const Session& session, const Shown& shown) {
   const nodes::Graph& graph = session.document.graph();
   for (const std::string& name : session.document.selection())
     if (const nodes::Node* node = nodes::findNode(graph, name); node && node->type.starts_with("light."))
-      return name;
+      return session.document.scopedName(name);
   const auto& lights = shown.scene.lights;
+  const auto inSelected = std::find_if(lights.begin(), lights.end(),
+                                       [&](const PlacedLight& l) { return selects(session, l.node); });
+  if (inSelected != lights.end()) return inSelected->node;
   return lights.size() == 1 ? lights.front().node : "";
 }
 
@@ -24,7 +28,7 @@ void lookThroughLight(Messages& messages, Session& session, const Clock& clock, 
   LightView& look = shown.look;
   if (!look.light.empty()) return leaveLightView(session, shown);
   const std::string light = lightToUse(session, shown);
-  const auto target = gizmoTarget(session.document.graph(), light, {}, clock.frame);
+  const auto target = gizmoTarget(session.document.root(), light, {}, clock.frame);
   if (!target) return messages.hint("Select a light first to look through it.");
   const Box3& bounds = shown.scene.bounds;
   const dvec3 center = bounds.empty() ? dvec3(0) : bounds.center();
@@ -50,7 +54,7 @@ void leaveLightView(Session& session, Shown& shown) {
 std::optional<scene::Camera> lightViewCamera(const Session& session, const Clock& clock, const Shown& shown) {
   const LightView& look = shown.look;
   if (look.light.empty()) return std::nullopt;
-  const auto target = gizmoTarget(session.document.graph(), look.light, {}, clock.frame);
+  const auto target = gizmoTarget(session.document.root(), look.light, {}, clock.frame);
   if (!target) return std::nullopt;
   scene::Camera camera;
   camera.fov = target->hasCone ? std::clamp(target->cone, 1.0, 120.0) : look.fov;
@@ -65,9 +69,9 @@ std::optional<scene::Camera> lightViewCamera(const Session& session, const Clock
 void moveLightView(Messages& messages, Session& session, Clock& clock, Shown& shown,
                    const scene::Camera& camera, const std::string& mergeKey) {
   LightView& look = shown.look;
-  const auto start = gizmoTarget(session.document.graph(), look.light, {}, clock.frame);
+  const auto start = gizmoTarget(session.document.root(), look.light, {}, clock.frame);
   if (!start) return;
-  holdFrame(clock, *nodes::findNode(session.document.graph(), look.light));
+  holdFrame(clock, *nodes::findNodeAt(session.document.root(), look.light));
   const dvec3 towards = camera.eye - camera.target;
   GizmoTarget to = *start;
   look.target = camera.target;
@@ -82,8 +86,8 @@ void moveLightView(Messages& messages, Session& session, Clock& clock, Shown& sh
     to.position = camera.eye;
     if (to.aims) to.aim = camera.target;
   }
-  tryEdit(session, messages, withTarget(session.document.graph(), *start, to, look.distance, clock.frame),
-          "Move " + look.light, mergeKey);
+  tryEditRoot(session, messages, withTarget(session.document.root(), *start, to, look.distance, clock.frame),
+              "Move " + look.light, mergeKey);
 }
 
 void applyLightView(const Session& session, const Clock& clock, const Shown& shown, PreviewRequest& request) {

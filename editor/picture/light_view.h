@@ -15,12 +15,13 @@ struct PreviewRequest;
 
 /// The viewport's camera is that of a light.
 struct LightView {
-  std::string light;  ///< "" = off
+  std::string light;  ///< its path; "" = off
   dvec3 target{0};
   double distance = 1, fov = 8;
 };
 
-/// The selected light, else the only one there is; "" = none.
+/// The path of the selected light, else of the first in a selected group, else of the only one there is; "" =
+/// none.
 std::string lightToUse(const Session& session, const Shown& shown);
 void lookThroughLight(Messages& messages, Session& session, const Clock& clock, Shown& shown);
 void leaveLightView(Session& session, Shown& shown);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 namespace {
@@ -64,7 +65,7 @@ dmat4 GizmoTarget::placement() const {
 
 std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::string& name, const dvec3& pivot,
                                        double frame) {
-  const nodes::Node* node = nodes::findNode(graph, name);
+  const nodes::Node* node = nodes::findNodeAt(graph, name);
   const Handles* handles = node ? handlesOf(node->type) : nullptr;
   const nodes::NodeType* type = handles ? nodes::findNodeType(node->type) : nullptr;
   if (!type || node->bypass) return std::nullopt;
@@ -92,7 +93,7 @@ std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::str
 
 Result<nodes::Graph> withTarget(const nodes::Graph& graph, const GizmoTarget& before,
                                 const GizmoTarget& after, double scale, double frame) {
-  const nodes::Node* node = nodes::findNode(graph, after.node);
+  const nodes::Node* node = nodes::findNodeAt(graph, after.node);
   const Handles* handles = node ? handlesOf(node->type) : nullptr;
   if (!handles) return fail(Code::Arguments, "{} is gone", after.node);
   Result<nodes::Graph> out = graph;

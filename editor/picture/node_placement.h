@@ -10,7 +10,7 @@
 namespace pileus::editor {
 
 struct GizmoTarget {
-  std::string node;
+  std::string node;  ///< its path where it is in a group
 
   bool moves = false;
   dvec3 position{0};  ///< world; of a transform with a pivot: where the pivot is

@@ -66,6 +66,7 @@ void Preview::begin(const PreviewRequest& wanted, bool draft) {
   around_ = {};
   if (!current_.region.whole() && whole_)
     around_ = Hasher().add("around").add(wholes_).add(whole_->fraction).key();
+  skippedDraft_ = false;
   evaluations_.clear();
   for (const auto& [name, node] : current_.graph.nodes)
     evaluations_[name] = evaluator_.status(name).evaluations;
@@ -87,7 +88,11 @@ void Preview::step(const PreviewRequest& wanted) {
     // would never show anything. What it took is learnt, and the next one is small enough.
     const bool finishFirst = currentIsDraft_ && !fresh_ && !complete_ && !report_.waitingForJobs &&
                              wanted.view == current_.view && wanted.generation == current_.generation;
-    if (!finishFirst) begin(wanted, !fast_ || fresh_);
+    if (!finishFirst) {
+      begin(wanted, !fast_ || fresh_);
+      ours_ = false;
+      skippedDraft_ = !currentIsDraft_;
+    }
   } else if (currentIsDraft_ && complete_ && !interacting()) {
     begin(wanted, false);
   }
@@ -122,6 +127,11 @@ void Preview::step(const PreviewRequest& wanted) {
   stepsMs_ += lastStepMs_;
   waited_ = waited_ || report_.waitingForJobs || lastStepMs_ > settings.budgetMs + kCompilingMs;
   if (!currentIsDraft_ && complete_) fast_ = first && lastStepMs_ < kBudgetMs;
+  if (!complete_ && skippedDraft_) {
+    // It takes longer than the last one did. Its first tiles are not shown beside the old picture.
+    begin(current_, true);
+    return;
+  }
 
   error_.clear();
   const nodes::NodeStatus& status = evaluator_.status(current_.view);
@@ -136,10 +146,11 @@ void Preview::step(const PreviewRequest& wanted) {
   if (currentIsDraft_ && complete_ && error_.empty()) learnPace();
 }
 
-/// What a new picture shows where it is not made yet: the draft of itself, and around a region the last whole
-/// one.
+/// What a new picture shows where it is not made yet: the draft of itself, never what was there before; and
+/// around a region the last whole one.
 std::shared_ptr<const view::Picture> Preview::seed() const {
-  return current_.region.whole() || !whole_ ? picture_ : whole_;
+  if (!current_.region.whole() && whole_) return whole_;
+  return ours_ ? picture_ : nullptr;
 }
 
 /// Only what this draft made anew counts: results at hand cost nothing.
@@ -164,6 +175,7 @@ void Preview::takePicture(bool draft) {
   // A draft that is not whole replaces only nothing at all. The final picture began as its draft.
   if (draft && image->picture->samples < 1 && picture_ && picture_ != image->picture) return;
   picture_ = image->picture;
+  ours_ = true;
   draftShown_ = draft;
   if (draft || !current_.region.whole() || whole_ == picture_) return;
   whole_ = picture_;

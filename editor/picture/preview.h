@@ -103,7 +103,9 @@ class Preview {
   std::optional<int> frame_;  ///< wanted last: another one is like something that is dragged
   bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;
   bool currentIsDraft_ = false, fresh_ = true;
-  bool fast_ = false;  ///< the last final picture took less than one budget: no drafts are needed
+  bool fast_ = false;          ///< the last final picture took less than one budget: no drafts are needed
+  bool skippedDraft_ = false;  ///< therefore the current one began without
+  bool ours_ = false;          ///< the picture shown is of what is wanted, perhaps its draft
   double lastStepMs_ = 0;
   std::uint64_t answered_ = 0;
 };

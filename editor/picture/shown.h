@@ -10,6 +10,7 @@
 #include "editor/picture/display_mode.h"
 #include "editor/picture/displayed.h"
 #include "editor/picture/light_view.h"
+#include "editor/picture/look_around.h"
 #include "editor/picture/preview.h"
 #include "editor/picture/ray_pick.h"
 #include "editor/picture/snapshots.h"
@@ -34,6 +35,7 @@ struct Shown {
   std::optional<scene::Camera> freeCamera;  ///< where no camera is linked; absent: pictures frame the volumes
   ivec2 renderSize{0};                      ///< what the panel asks the preview for
   LightView look;
+  LookAround around;
   DisplayMode mode;
   Displayed displayed;
   CompareMode compare;

@@ -8,6 +8,7 @@
 #include "editor/document/session.h"
 #include "editor/exchange/messages.h"
 #include "editor/picture/light_view.h"
+#include "editor/picture/look_around.h"
 #include "editor/picture/shown.h"
 #include "editor/picture/viewed_node.h"
 #include "editor/time/clock.h"
@@ -130,6 +131,7 @@ std::string linkedCamera(const Session& session, const std::string& view) {
 
 scene::Camera currentCamera(const Session& session, const Clock& clock, const Shown& shown) {
   if (const auto light = lightViewCamera(session, clock, shown)) return *light;
+  if (const auto around = aroundCamera(session, shown)) return *around;
   const std::string view = shownView(session, shown), name = linkedCamera(session, view);
   if (name.empty()) {
     if (shown.freeCamera) return *shown.freeCamera;
@@ -160,10 +162,17 @@ void setCamera(Messages& messages, Session& session, Clock& clock, Shown& shown,
   shown.preview.touch();
   if (lightViewCamera(session, clock, shown))
     return moveLightView(messages, session, clock, shown, camera, mergeKey);
-  if (name.empty()) {
+  if (name.empty())
     shown.freeCamera = camera;
-    return;
-  }
+  else if (cameraLocked(session, clock, shown) || aroundCamera(session, shown))
+    shown.around = {name, camera};
+  else
+    moveCamera(messages, session, clock, shown, name, camera, label, mergeKey);
+}
+
+void moveCamera(Messages& messages, Session& session, Clock& clock, Shown& shown, const std::string& name,
+                const scene::Camera& camera, const std::string& label, const std::string& mergeKey) {
+  shown.preview.touch();
   const double scale = glm::length(camera.eye - camera.target);
   const scene::Camera now = currentCamera(session, clock, shown);
   holdFrame(clock, *nodes::findNode(session.document.root(), name));

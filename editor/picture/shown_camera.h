@@ -24,9 +24,13 @@ std::string cameraUser(const Session& session, const std::string& view);
 std::string linkedCamera(const Session& session, const std::string& view);
 /// The camera the picture is made with now.
 scene::Camera currentCamera(const Session& session, const Clock& clock, const Shown& shown);
-/// Edits the linked camera node (steps with one mergeKey become one undo step) or sets the free camera.
+/// Edits the linked camera node (steps with one mergeKey become one undo step) or sets the free camera; where
+/// that node is locked, looks around.
 void setCamera(Messages& messages, Session& session, Clock& clock, Shown& shown, const scene::Camera& camera,
                const std::string& label, const std::string& mergeKey);
+/// Edits that camera node, the linked one.
+void moveCamera(Messages& messages, Session& session, Clock& clock, Shown& shown, const std::string& name,
+                const scene::Camera& camera, const std::string& label, const std::string& mergeKey);
 
 // Actions.
 void frameVolumes(Messages& messages, Session& session, Clock& clock, Shown& shown);

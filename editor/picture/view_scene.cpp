@@ -9,6 +9,8 @@
 #include "editor/picture/shown_camera.h"
 #include "editor/time/clock.h"
 #include "nodes/declare/value.h"
+#include "nodes/evaluate/flatten.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 namespace {
@@ -36,7 +38,7 @@ std::vector<const nodes::Link*> linksOfType(const nodes::Graph& graph, const std
   const nodes::NodeType* type = typeOf(graph, node);
   if (!type) return out;
   for (const nodes::SocketSpec& s : type->inputs)
-    if (s.type == wanted)
+    if (s.any || s.type == wanted)
       for (const nodes::Link& link : graph.links)
         if (link.toNode == node && link.toSocket == s.id && !link.muted) out.push_back(&link);
   return out;
@@ -65,8 +67,7 @@ void follow(const Shown& shown, const nodes::Graph& graph, const std::string& no
 }
 
 template <class Value, class Add>
-void collect(const Session& session, const Shown& shown, const std::string& user, const Add& add) {
-  const nodes::Graph& graph = session.document.root();
+void collect(const nodes::Graph& graph, const Shown& shown, const std::string& user, const Add& add) {
   for (const nodes::Link* link : linksOfType(graph, user, ItemsOf<Value>::type))
     if (const Value* value = valueOf<Value>(shown, *link))
       for (std::size_t i = 0; i < value->items.size(); ++i) {
@@ -76,9 +77,8 @@ void collect(const Session& session, const Shown& shown, const std::string& user
       }
 }
 
-void collectLights(const Session& session, const Clock& clock, const std::string& user,
+void collectLights(const nodes::Graph& graph, const Clock& clock, const std::string& user,
                    std::vector<PlacedLight>& out) {
-  const nodes::Graph& graph = session.document.root();
   std::deque<std::string> open{user};
   std::set<std::string> seen{user};
   for (; !open.empty(); open.pop_front())
@@ -95,26 +95,38 @@ void collectLights(const Session& session, const Clock& clock, const std::string
 }
 
 bool anySelected(const Session& session, const std::vector<std::string>& chain) {
-  return std::any_of(chain.begin(), chain.end(),
-                     [&](const std::string& n) { return session.document.selection().contains(n); });
+  return std::any_of(chain.begin(), chain.end(), [&](const std::string& n) { return selects(session, n); });
+}
+
+/// Paths of the nodes that have handles, the first two.
+void addHandled(const nodes::Graph& graph, const std::string& prefix, double frame,
+                std::vector<std::string>& out) {
+  for (const auto& [name, node] : graph.nodes) {
+    if (out.size() > 1) return;
+    if (node->group)
+      addHandled(*node->group, prefix + name + "/", frame, out);
+    else if (gizmoTarget(graph, name, {}, frame))
+      out.push_back(prefix + name);
+  }
 }
 
 ViewScene viewScene(const Session& session, const Clock& clock, const Shown& shown) {
   ViewScene scene;
   const std::string user = cameraUser(session, shownView(session, shown));
   if (user.empty()) return scene;
-  collect<nodes::VolumeValue>(session, shown, user,
+  const nodes::FlatGraph flat = nodes::flatten(session.document.root());
+  collect<nodes::VolumeValue>(flat.graph, shown, user,
                               [&](const volume::Instance& i, std::vector<std::string> chain) {
                                 const Box3 bounds = volume::worldBounds(i);
                                 if (bounds.empty()) return;
                                 scene.bounds.extend(bounds);
                                 scene.volumes.push_back({i, bounds, std::move(chain)});
                               });
-  collect<nodes::SolidValue>(session, shown, user,
+  collect<nodes::SolidValue>(flat.graph, shown, user,
                              [&](const scene::Solid& s, std::vector<std::string> chain) {
                                scene.solids.push_back({s, std::move(chain)});
                              });
-  collectLights(session, clock, user, scene.lights);
+  collectLights(flat.graph, clock, user, scene.lights);
   return scene;
 }
 
@@ -138,13 +150,12 @@ void followScene(const Session& session, const Clock& clock, Shown& shown) {
 
 Box3 selectionBounds(const Session& session, const ViewScene& scene) {
   Box3 box;
-  if (!session.document.scope().empty()) return box;
   for (const PlacedVolume& v : scene.volumes)
     if (anySelected(session, v.chain)) box.extend(v.bounds);
   for (const PlacedSolid& s : scene.solids)
     if (anySelected(session, s.chain)) box.extend(scene::worldBounds(scene::SolidList{s.solid}));
   for (const PlacedLight& l : scene.lights) {
-    if (!session.document.selection().contains(l.node) || l.target.sun) continue;
+    if (!selects(session, l.node) || l.target.sun) continue;
     // A point has no size: what is about it is seen with it.
     const double around = std::max(l.target.aims ? glm::length(l.target.aim - l.target.position)
                                                  : 0.15 * glm::length(scene.bounds.size()),
@@ -164,9 +175,8 @@ dvec3 sunCenter(const ViewScene& scene, const Projection& view) {
   return view.eye() + depth * view.forward();
 }
 
-dvec3 pivotOf(const Session& session, const Shown& shown, const std::string& node) {
-  const nodes::SocketValue* value =
-      shown.preview.evaluator().lastGoodInput(session.document.scopedName(node), "volume");
+dvec3 pivotOf(const Shown& shown, const std::string& node) {
+  const nodes::SocketValue* value = shown.preview.evaluator().lastGoodInput(node, "volume");
   const auto* volumes = value ? std::get_if<nodes::VolumeValue>(value) : nullptr;
   const Box3 box = volumes ? volume::worldBounds(volumes->items) : Box3{};
   return box.empty() ? dvec3(0) : box.center();
@@ -175,6 +185,29 @@ dvec3 pivotOf(const Session& session, const Shown& shown, const std::string& nod
 std::string onlySelected(const Session& session) {
   const auto& selection = session.document.selection();
   return selection.size() == 1 ? *selection.begin() : std::string();
+}
+
+bool selects(const Session& session, const std::string& path) {
+  return session.document.selection().contains(shownInScope(session, path));
+}
+
+std::string shownInScope(const Session& session, const std::string& path) {
+  const std::string scope = session.document.scopedName("");
+  if (!path.starts_with(scope)) return {};
+  const std::string rest = path.substr(scope.size());
+  return rest.substr(0, rest.find('/'));
+}
+
+std::string handledNode(const Session& session, const std::string& inside, double frame) {
+  const std::string name = onlySelected(session);
+  if (name.empty()) return {};
+  const std::string path = session.document.scopedName(name);
+  const nodes::Graph* group = nodes::groupGraph(session.document.graph(), name);
+  if (!group) return path;
+  if (inside.starts_with(path + "/") && nodes::findNodeAt(session.document.root(), inside)) return inside;
+  std::vector<std::string> all;
+  addHandled(*group, path + "/", frame, all);
+  return all.size() == 1 ? all.front() : std::string();
 }
 
 }  // namespace pileus::editor

@@ -17,15 +17,16 @@ struct Shown;
 
 struct PlacedVolume {
   volume::Instance instance;
-  Box3 bounds;                     ///< world
-  std::vector<std::string> chain;  ///< nodes it passes through, from the render's input up to its source
+  Box3 bounds;  ///< world
+  /// Nodes it passes through, by their paths, from the render's input up to its source.
+  std::vector<std::string> chain;
 };
 struct PlacedSolid {
   scene::Solid solid;
   std::vector<std::string> chain;
 };
 struct PlacedLight {
-  std::string node;
+  std::string node;    ///< its path
   GizmoTarget target;  ///< where its parameters put it
 };
 
@@ -50,9 +51,17 @@ Box3 selectionBounds(const Session& session, const ViewScene& scene);
 /// Where suns, which are nowhere, have their marks: the middle of the volumes if it is in view, else that of
 /// the view.
 dvec3 sunCenter(const ViewScene& scene, const Projection& view);
-/// The middle of what flows into a transform, in its own input's place.
-dvec3 pivotOf(const Session& session, const Shown& shown, const std::string& node);
+/// The middle of what flows into a transform, given by its path, in its own input's place.
+dvec3 pivotOf(const Shown& shown, const std::string& node);
 /// The only selected node, if there is just one.
 std::string onlySelected(const Session& session);
+/// Is the node with that path selected, or a group it is in?
+bool selects(const Session& session, const std::string& path);
+/// What the canvas shows of it, in the group that was entered: its name, or that of the group it is in; "" =
+/// nothing.
+std::string shownInScope(const Session& session, const std::string& path);
+/// The path of the node whose handles are shown: the only selected one; of a group the node `inside` it, or
+/// the only one in it that has some. "" = none.
+std::string handledNode(const Session& session, const std::string& inside, double frame);
 
 }  // namespace pileus::editor

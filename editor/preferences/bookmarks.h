@@ -9,10 +9,13 @@
 
 namespace pileus::editor {
 
+/// What files call zoom 0: levels below it came later.
+inline constexpr int kLevelOfZoom0 = 10;
+
 struct CanvasPlace {
   std::vector<std::string> scope;  ///< groups from the outermost in; empty: the document itself
   dvec2 center{0};                 ///< canvas units
-  int level = 0;                   ///< of zoom
+  int level = 0;                   ///< of zoom, an index of Theme::zoomLevels
   bool operator==(const CanvasPlace&) const = default;
 };
 

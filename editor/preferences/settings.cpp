@@ -63,7 +63,7 @@ void read(const json& j, std::vector<FileBookmarks>& all) {
                                                                                      : fallback;
       };
       p.center = {figure("x", 0), figure("y", 0)};
-      p.level = static_cast<int>(std::clamp(figure("zoom", 0), 0.0, 1000.0));
+      p.level = kLevelOfZoom0 + static_cast<int>(std::clamp(figure("zoom", 0), -1.0 * kLevelOfZoom0, 1000.0));
       read(place, "scope", p.scope);
       file.places[static_cast<std::size_t>(number[0] - '1')] = std::move(p);
     }
@@ -78,7 +78,7 @@ json bookmarksJson(const std::vector<FileBookmarks>& all) {
     for (std::size_t i = 0; i < file.places.size(); ++i)
       if (const auto& p = file.places[i])
         places[std::to_string(i + 1)] = {
-            {"x", p->center.x}, {"y", p->center.y}, {"zoom", p->level}, {"scope", p->scope}};
+            {"x", p->center.x}, {"y", p->center.y}, {"zoom", p->level - kLevelOfZoom0}, {"scope", p->scope}};
     if (!file.path.empty() && !places.empty()) j[file.path] = std::move(places);
   }
   return j;

@@ -22,20 +22,17 @@ struct Step {
 
 constexpr std::array<Step, 4> kSteps = {{
     {"##viewport", "The picture",
-     "Drag to orbit, turn the wheel to come closer; the picture refines by itself while you look. F frames "
-     "all "
-     "volumes."},
+     "Drag to look around, turn the wheel to come closer; the picture refines by itself while you look. A "
+     "frames all volumes."},
     {"##graph", "The graph",
      "The picture is made here, from left to right: volumes, lights with their shadows, a render and a view. "
-     "Tab "
-     "adds a node, and dragging from one socket to another links them."},
+     "Tab adds a node, and dragging from one socket to another links them."},
     {"##parameters", "The parameters",
      "They belong to the node you click in the graph. Drag a number to change it, double click to type it; "
-     "every "
-     "change can be undone."},
+     "every change can be undone."},
     {"##viewport", "Compare with the truth",
-     "With the pointer on the picture, Q puts the ray-marched truth beside it, and E shows the difference in "
-     "colours. That is how you see what a shadow map costs in quality."},
+     "With the pointer on the picture, Tab puts the ray-marched truth beside it, and Shift+E shows the "
+     "difference in colours. That is how you see what a shadow map costs in quality."},
 }};
 
 void finish(Settings& settings, Tour& tour) {

@@ -78,7 +78,7 @@ bool button(Ui& ui, const Timeline& timeline, const char* id, Mark mark, const c
 }
 
 void transport(const TimelineRoom& room) {
-  if (button(room.ui, room.timeline, "to start", Mark::Start, "To the start of the range (Home)"))
+  if (button(room.ui, room.timeline, "to start", Mark::Start, "To the first frame (Home)"))
     goToEnd(room.session, room.clock, -1);
   if (button(room.ui, room.timeline, "previous key", Mark::PreviousKey, "To the previous key (Shift+,)"))
     goToKey(room.ui.messages, room.session, room.clock, -1);
@@ -88,7 +88,7 @@ void transport(const TimelineRoom& room) {
     togglePlay(room.ui.messages, room.ui.requests, room.session, room.clock);
   if (button(room.ui, room.timeline, "next key", Mark::NextKey, "To the next key (Shift+.)"))
     goToKey(room.ui.messages, room.session, room.clock, 1);
-  if (button(room.ui, room.timeline, "to end", Mark::End, "To the end of the range (End)"))
+  if (button(room.ui, room.timeline, "to end", Mark::End, "To the last frame (End)"))
     goToEnd(room.session, room.clock, 1);
 }
 
@@ -141,13 +141,13 @@ void fields(const TimelineRoom& room) {
     goToFrame(room.clock, static_cast<int>(frame));
   double first = range.x;
   const NumberEdit start =
-      labelled(room.ui, room.timeline, "start", "Start", first, frameField(), 66, "First frame of the range");
+      labelled(room.ui, room.timeline, "start", "First", first, frameField(), 66, "First frame of the range");
   const int x = static_cast<int>(first);
   applySetting(room.ui, room.session, room.timeline, start,
                nodes::setFrameRange(graph, {x, std::max(x, range.y)}), "Set first frame");
   double last = range.y;
   const NumberEdit end =
-      labelled(room.ui, room.timeline, "end", "End", last, frameField(), 66, "Last frame of the range");
+      labelled(room.ui, room.timeline, "end", "Last", last, frameField(), 66, "Last frame of the range");
   const int y = static_cast<int>(last);
   applySetting(room.ui, room.session, room.timeline, end,
                nodes::setFrameRange(room.session.document.graph(), {std::min(range.x, y), y}),

@@ -13,6 +13,21 @@ float textWidth(ImFont* font, std::string_view text) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
 }
 
+std::string endOfPath(ImFont* font, const std::string& path, float width) {
+  if (textWidth(font, path) <= width) return path;
+  std::string end = path;
+  const auto tooWide = [&] { return textWidth(font, std::string(kEllipsis) + end) > width; };
+  // Whole folders first, then letters of the name.
+  for (std::size_t slash = end.find('/', 1); slash != std::string::npos && tooWide();
+       slash = end.find('/', 1))
+    end.erase(0, slash);
+  while (end.size() > 1 && tooWide()) {
+    end.erase(0, 1);
+    while (!end.empty() && (static_cast<unsigned char>(end.front()) & 0xc0) == 0x80) end.erase(0, 1);
+  }
+  return std::string(kEllipsis) + end;
+}
+
 float drawText(ImDrawList* draw, ImFont* font, vec2 at, ImU32 color, std::string_view text, float width) {
   const ImVec2 where = {std::round(at.x), std::round(at.y)};
   const float full = textWidth(font, text);

@@ -27,7 +27,7 @@ bool pressed(ImGuiKey key, bool repeat = false) {
 void FileBrowser::open(const Settings& settings, BrowserRequest request) {
   request_ = std::move(request);
   open_ = focusName_ = true;
-  askReplace_ = showAll_ = go_ = false;
+  askReplace_ = showAll_ = go_ = here_ = false;
   error_.clear();
   name_ = request_.name;
   filter_.clear();
@@ -102,6 +102,7 @@ fs::path FileBrowser::typedPath() const {
 }
 
 void FileBrowser::choose(Ui& ui, Settings& settings) {
+  if (request_.folder && (name_.empty() || !fs::is_directory(typedPath()))) return void(here_ = true);
   if (name_.empty()) return void(error_ = "Type or choose a name.");
   fs::path path = typedPath();
   std::error_code ec;
@@ -162,6 +163,7 @@ void FileBrowser::draw(Ui& ui, Settings& settings, std::span<const KeyPress> key
   drawName(ui);
   drawNotice(ui, settings);
   if (open_) drawBottom(ui);
+  if (open_ && std::exchange(here_, false)) finish(ui, settings, folder_ / "");
   if (open_ && go_) {
     askReplace_ = false;
     const FileEntry* entry = row_ >= 0 && row_ < static_cast<int>(entries_.size())

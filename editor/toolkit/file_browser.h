@@ -21,6 +21,7 @@ struct BrowserRequest {
   std::string title, button;        ///< "Open graph", "Open"
   std::vector<std::string> kinds;   ///< endings without the dot; empty = all files
   bool saving = false;              ///< a new name may be typed; an existing file is asked about
+  bool folder = false;              ///< the folder that is listed is chosen, not a file in it
   bool sequences = false;           ///< a row of numbered files gives its pattern, else its first file
   std::filesystem::path start;      ///< folder, or file to preselect; empty = where this kind was last used
   std::filesystem::path otherwise;  ///< folder, where this kind was not used yet; empty = last folder used
@@ -56,7 +57,7 @@ class FileBrowser {
 
   BrowserRequest request_;
   bool open_ = false, askReplace_ = false, focusName_ = false, focusFilter_ = false;
-  bool showAll_ = false, scrollToRow_ = false, go_ = false;
+  bool showAll_ = false, scrollToRow_ = false, go_ = false, here_ = false;
   FileOrder order_ = FileOrder::Name;
   bool descending_ = false;
   std::filesystem::path folder_, replacing_;

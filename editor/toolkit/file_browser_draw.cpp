@@ -67,16 +67,9 @@ void FileBrowser::drawTop(Ui& ui, Settings& settings) {
   const float search = theme.px(190);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x - search - theme.space(3);
-  // The end of a long path says more than its beginning.
-  std::string shown = folder_.string();
-  while (shown.size() > 4 && textWidth(theme.body, "\xe2\x80\xa6" + shown) > room) {
-    const std::size_t slash = shown.find('/', 1);
-    shown = slash == std::string::npos ? shown.substr(4) : shown.substr(slash);
-  }
-  if (shown != folder_.string()) shown = "\xe2\x80\xa6" + shown;
   editor::drawText(ImGui::GetWindowDrawList(), theme.body,
                    {at.x, at.y + 0.5f * (ImGui::GetFrameHeight() - theme.body->FontSize)}, palette::kTextDim,
-                   shown, room);
+                   endOfPath(theme.body, folder_.string(), room), room);
   ImGui::SetCursorScreenPos({at.x + room + theme.space(3), at.y});
   ImGui::SetNextItemWidth(search);
   if (focusFilter_) ui.fields.focusHere();
@@ -290,7 +283,7 @@ void FileBrowser::drawBottom(Ui& ui) {
   ui.trace.item("browser/cancel");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
-  go_ |= ImGui::Button(request_.button.c_str(), {button, 0});
+  (request_.folder ? here_ : go_) |= ImGui::Button(request_.button.c_str(), {button, 0});
   ImGui::PopStyleColor();
   ui.trace.item("browser/ok");
   if (!cancel && !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return;

@@ -42,6 +42,7 @@ inline constexpr char kHome[] = "\xef\x80\x95";
 inline constexpr char kInfo[] = "\xef\x81\x9a";
 inline constexpr char kKeyboard[] = "\xef\x84\x9c";
 inline constexpr char kList[] = "\xef\x80\xba";
+inline constexpr char kLock[] = "\xef\x80\xa3";
 inline constexpr char kMath[] = "\xef\x87\xac";
 inline constexpr char kMinus[] = "\xef\x81\xa8";
 inline constexpr char kMoon[] = "\xef\x86\x86";
@@ -74,6 +75,7 @@ inline constexpr char kTrash[] = "\xef\x87\xb8";
 inline constexpr char kUndo[] = "\xef\x83\xa2";
 inline constexpr char kUngroup[] = "\xef\x89\x88";
 inline constexpr char kUnlink[] = "\xef\x84\xa7";
+inline constexpr char kUnlock[] = "\xef\x82\x9c";
 inline constexpr char kWarning[] = "\xef\x81\xb1";
 
 }  // namespace pileus::editor::icon

@@ -18,14 +18,19 @@ struct Modals {
   std::function<void()> afterUnsaved;  ///< set: ask about unsaved changes, then do this
   std::vector<Fault> faults;           ///< not empty: list them
   std::string faultsOf;                ///< the file they were found in
-  std::string errorTitle, errorText;   ///< not empty: an error that needs reading
+  struct Missing {
+    std::string where, path;
+  };
+  std::vector<Missing> missing;       ///< not empty: list these files that are not there
+  std::string errorTitle, errorText;  ///< not empty: an error that needs reading
   bool shortcuts = false, about = false;
   Questions questions;  ///< any others, one after the other
   FileBrowser browser;
 
   /// Is there one of them, the file dialog aside?
   bool anyOpen() const {
-    return afterUnsaved || !faults.empty() || !errorText.empty() || shortcuts || about || questions.open();
+    return afterUnsaved || !faults.empty() || !missing.empty() || !errorText.empty() || shortcuts || about ||
+           questions.open();
   }
 };
 

@@ -188,7 +188,8 @@ Theme makeTheme(float scale, Appearance appearance) {
   theme.small = addFont("Inter-Regular.otf", theme.px(14), kTextRange, true);
   theme.mono = addFont("JetBrainsMono-Regular.ttf", theme.px(15), kTextRange, true);
 
-  for (const float zoom : {0.08f, 0.11f, 0.15f, 0.2f, 0.28f, 0.38f, 0.5f})
+  for (const float zoom : {0.003f, 0.0042f, 0.006f, 0.0085f, 0.012f, 0.016f, 0.022f, 0.03f, 0.042f, 0.058f,
+                           0.08f, 0.11f, 0.15f, 0.2f, 0.28f, 0.38f, 0.5f})
     theme.zoomLevels.push_back({zoom * scale, nullptr, nullptr});
   for (const float pixels : {10.f, 11.f, 12.f, 13.f, 14.f, 16.f, 18.f, 20.f, 24.f, 28.f}) {
     const float baked = std::round(pixels * scale);

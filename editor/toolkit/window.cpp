@@ -112,14 +112,16 @@ void Window::installCallbacks() {
   using Kind = InputEvent::Kind;
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
     std::deque<InputEvent>& queue = of(w)->queue_;
+    of(w)->pointer_ = {x, y};
     if (!queue.empty() && queue.back().kind == Kind::Move)
       queue.back().at = {x, y};
     else
       queue.push_back({Kind::Move, {x, y}});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
-    dvec2 at;
-    glfwGetCursorPos(w, &at.x, &at.y);
+    // Where it was, not where it is by now: behind a slow frame the pointer may be on its way elsewhere.
+    dvec2 at = of(w)->pointer_;
+    if (at.x < -1e8) glfwGetCursorPos(w, &at.x, &at.y);
     if (button >= 0 && button < 5)
       of(w)->queue_.push_back({Kind::Button, at, button, action == GLFW_PRESS, false, mods});
   });

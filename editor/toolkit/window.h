@@ -90,7 +90,8 @@ class Window {
   bool resized_ = true, marked_ = false, takesMarks_ = false, late_ = false;
   dvec2 pixelRatio_{
       1};  ///< pixels per unit of the pointer's coordinates: not 1 where the system scales windows
-  dvec2 mouse_{-1e9};
+  dvec2 mouse_{-1e9};    ///< as handed on
+  dvec2 pointer_{-1e9};  ///< as last reported
   unsigned long long frames_ = 0;
   bool buttons_[5] = {};
   std::deque<InputEvent> queue_;

@@ -28,7 +28,7 @@ bool combo(Ui& ui, const char* id, const char* help, float width, const std::str
   return open;
 }
 /// A square button for a command; lit while that is on.
-void actionButton(Ui& ui, const char* id, const char* mark) {
+void actionButton(Ui& ui, const char* id, const char* mark, const char* help = "") {
   const std::optional<CommandLook> look = ui.commands(id);
   if (!look) return;
   const Theme& theme = ui.theme;
@@ -50,10 +50,13 @@ void actionButton(Ui& ui, const char* id, const char* mark) {
             std::round(at.y + 0.5f * (side - theme.body->FontSize))},
            ink, mark, side);
   if (hovered)
-    tooltip(theme, look->keys.empty() ? look->label : fmt::format("{} ({})", look->label, look->keys));
+    tooltip(theme, *help                ? help
+                   : look->keys.empty() ? look->label
+                                        : fmt::format("{} ({})", look->label, look->keys));
   if (clicked && enabled) ui.requests.push(RunCommand{id});
 }
 std::string cameraText(const Session& session, const Shown& shown) {
+  if (aroundCamera(session, shown)) return std::string(icon::kEye) + "  Looking around";
   const std::string camera = linkedCamera(session, shownView(session, shown));
   return std::string(icon::kCamera) + "  " +
          (camera.empty() ? (shown.freeCamera ? "Free camera" : "Framed volumes") : camera);
@@ -154,6 +157,15 @@ void drawGamma(Bar& bar) {
   ImGui::SameLine(0, theme.px(5));
   dragNumber(bar, "gamma", bar.settings.gamma, "", "Gamma",
              "Gamma behind the view transform; a right click resets it", theme.px(56));
+}
+bool hasCamera(const Bar& bar) {
+  return !linkedCamera(bar.room.session, shownView(bar.room.session, bar.room.shown)).empty();
+}
+void drawLock(Bar& bar) {
+  const bool locked = cameraLocked(bar.room.session, bar.room.clock, bar.room.shown);
+  actionButton(bar.room.ui, "viewport.lock_camera", locked ? icon::kLock : icon::kUnlock,
+               locked ? "The camera is locked: moves here look around and leave it alone. A click unlocks it"
+                      : "Moves here move the camera. A click locks it");
 }
 void drawRaw(Bar& bar) { actionButton(bar.room.ui, "viewport.raw", icon::kBan); }
 void drawFalse(Bar& bar) { actionButton(bar.room.ui, "viewport.false_color", icon::kPaint); }

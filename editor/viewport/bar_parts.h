@@ -45,11 +45,13 @@ void drawResolution(Bar& bar);
 void drawExposure(Bar& bar);
 void drawGamma(Bar& bar);
 void drawCamera(Bar& bar);
+bool hasCamera(const Bar& bar);  ///< a linked one, that can be locked
 /// A number of the view node, to drag or type; a right click resets it.
 void dragNumber(Bar& bar, const char* param, double value, const char* unit, const char* label,
                 const char* help, float width);
 
 // Buttons, as wide as high.
+void drawLock(Bar& bar);
 void drawRaw(Bar& bar);
 void drawFalse(Bar& bar);
 void drawZebra(Bar& bar);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "editor/picture/shown.h"
@@ -46,9 +47,18 @@ std::string progressText(const Shown& shown) {
   const CompareMode& mode = shown.compare;
   if (!mode.error.empty()) return {};
   if (!mode.coarse) return "Truth waits for the picture";
-  const double fraction = compareFraction(mode);
+  const double fraction = compareFraction(mode), left = compareSecondsLeft(mode);
   if (fraction >= 1) return "Truth complete";
-  return fmt::format("Truth {} %", static_cast<int>(std::floor(100 * fraction)));
+  if (mode.coarse->fraction() >= 1 && !shown.preview.settled())
+    return "Truth goes on with the finished picture";
+  // Rounded down, but never to nothing for long.
+  const std::string done = fraction < 0.1 ? fmt::format("{:.1f}", std::floor(1000 * fraction) / 10)
+                                          : fmt::format("{:.0f}", std::floor(100 * fraction));
+  if (left < 0) return fmt::format("Truth {} %", done);
+  return fmt::format("Truth {} %, about {} left", done,
+                     left < 99.5     ? fmt::format("{:.0f} s", std::max(left, 1.0))
+                     : left < 5970.0 ? fmt::format("{:.0f} min", left / 60)
+                                     : fmt::format("{:.0f} h", left / 3600));
 }
 
 }  // namespace

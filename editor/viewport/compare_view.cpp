@@ -37,7 +37,7 @@ unsigned drawn(Shown& shown, const truth::ComparePass& pass, truth::CompareDispl
 
 Sides sidesOf(Ui& ui, const Session& session, const Clock& clock, Shown& shown, ivec2 size) {
   const CompareMode& mode = shown.compare;
-  const truth::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shownTruth();
   if (mode.of == CompareOf::Radiance)
     return {shown.displayed.texture,
             pass ? displayTexture(ui.messages, session, clock, shown, pass->truth(), size, 1) : 0};
@@ -65,8 +65,9 @@ std::string pictureLabel(const CompareMode& mode) {
 }
 
 std::string truthLabel(const CompareMode& mode) {
-  const truth::ComparePass* pass = mode.shown();
+  const truth::ComparePass* pass = mode.shownTruth();
   if (!pass) return "Ray marched, soon";
+  if (pass == mode.draft.get()) return "Ray marched, draft";
   if (pass == mode.coarse.get()) return "Ray marched, small";
   const int done = pass->truth()->samples, all = pass->scene().options.samples;
   return mode.of == CompareOf::Radiance && done < all
@@ -187,6 +188,7 @@ void drawError(Ui& ui, Shown& shown, vec2 lo, vec2 hi) {
                                         : "\xce\x94T, mean of what is seen";
   label(ui, lo, hi,
         !pass                       ? what + ", soon"
+        : pass == mode.draft.get()  ? what + ", draft"
         : pass == mode.coarse.get() ? what + ", small"
                                     : what,
         true, "compare right");

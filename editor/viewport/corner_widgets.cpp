@@ -1,5 +1,7 @@
 #include "editor/viewport/corner_widgets.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -228,6 +230,19 @@ void drawToolHints(const ViewportRoom& room, vec2 min, vec2 max, bool hovered) {
                   "Orbiting moves the light. A click or Esc goes back to the camera"))
       leaveLightView(room.session, room.shown);
     room.ui.trace.note("viewport light", room.shown.look.light);
+  }
+  if (aroundCamera(room.session, room.shown) && room.shown.look.light.empty()) {
+    const std::string text =
+        fmt::format("{}  Looking around \xc2\xb7 Back to {}", icon::kEye, room.shown.around.camera);
+    const float width = textWidth(theme.body, text);
+    const vec2 pad(theme.space(3), theme.px(6));
+    const vec2 lo(std::round(0.5f * (min.x + max.x - width) - pad.x), min.y + theme.space(2));
+    const vec2 hi = lo + vec2(width, theme.body->FontSize) + 2.0f * pad;
+    ImGui::GetWindowDrawList()->AddRectFilled(im(lo), im(hi), palette::kChip, theme.px(5));
+    if (pressable(room.ui, room.viewport, lo, hi, text.c_str(), false, hovered, "viewport/around",
+                  "The camera is locked and stays as it is. A click or Backspace goes back to it"))
+      backToCamera(room.shown);
+    room.ui.trace.note("looking around", room.shown.around.camera);
   }
   // What the chosen tool cannot do with this node.
   const std::string name = onlySelected(room.session);

@@ -74,8 +74,10 @@ void continueMove(const ViewportRoom& room, const Projection& view) {
     if (room.shown.ray.picking)
       pickRay(room.ui.messages, room.shown, room.settings,
               dvec2((at - view.min()) / (view.max() - view.min())));
-    else if (room.session.document.scope().empty()) {
-      const std::string name = nodeAt(room.ui.theme, room.session, room.shown, room.settings, view, at);
+    else {
+      const std::string path = nodeAt(room.ui.theme, room.session, room.shown, room.settings, view, at);
+      const std::string name = shownInScope(room.session, path);
+      tools.inside = path;
       std::set<std::string> chosen =
           io.KeyShift ? room.session.document.selection() : std::set<std::string>{};
       if (!name.empty() && !chosen.insert(name).second) chosen.erase(name);

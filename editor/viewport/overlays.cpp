@@ -8,6 +8,7 @@
 #include "editor/document/session.h"
 #include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
+#include "editor/time/clock.h"
 #include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
@@ -47,9 +48,7 @@ struct Pen {
 };
 
 bool chosen(const Session& session, const std::vector<std::string>& chain) {
-  const auto& selection = session.document.selection();
-  return session.document.scope().empty() &&
-         std::any_of(chain.begin(), chain.end(), [&](const std::string& n) { return selection.contains(n); });
+  return std::any_of(chain.begin(), chain.end(), [&](const std::string& n) { return selects(session, n); });
 }
 
 void drawVolumes(const Session& session, const Shown& shown, const Settings& settings,
@@ -80,14 +79,16 @@ void drawSolids(const Session& session, const Shown& shown, const Settings& sett
   }
 }
 
-void drawLight(Ui& ui, const Session& session, const Shown& shown, const Pen& pen, const PlacedLight& light) {
+/// `handled`: the path of the node whose handles are shown.
+void drawLight(Ui& ui, const Session& session, const Shown& shown, const Pen& pen, const PlacedLight& light,
+               const std::string& handled) {
   const Theme& theme = ui.theme;
-  const bool selected = session.document.scope().empty() && session.document.selection().contains(light.node);
+  const bool selected = selects(session, light.node), held = light.node == handled;
   const auto mark = lightMark(ui.theme, shown, light, pen.view);
   if (!mark || light.node == shown.look.light) return;
   const GizmoTarget& t = light.target;
   const ImU32 ink = selected ? palette::kSelect : palette::kLightSocket;
-  if (t.sun && !selected) {
+  if (t.sun && !held) {
     // Its rays come from there.
     const auto center = pen.view.screen(sunCenter(shown.scene, pen.view));
     if (center && glm::length(*center - *mark) > theme.px(24)) {
@@ -98,7 +99,7 @@ void drawLight(Ui& ui, const Session& session, const Shown& shown, const Pen& pe
         pen.draw->AddLine(im(to), im(to - theme.px(6) * u + side * theme.px(4) * n), faded(ink, 0.8f),
                           1.5f * theme.scale);
     }
-  } else if (t.aims && t.hasCone && !selected) {
+  } else if (t.aims && t.hasCone && !held) {
     const dvec3 along = t.aim - t.position;
     const double length = glm::length(along), half = 0.5 * glm::radians(t.cone);
     if (length > 0) {
@@ -114,7 +115,7 @@ void drawLight(Ui& ui, const Session& session, const Shown& shown, const Pen& pe
   }
   const std::string name = std::string("light/") + light.node;
   ui.trace.rect(name, im(*mark - theme.px(9)), im(*mark + theme.px(9)));
-  if (t.sun && selected) return;  // the gizmo draws its disc
+  if (t.sun && held) return;  // the gizmo draws its disc
   pen.draw->AddCircleFilled(im(*mark), theme.px(10.5f), palette::kHandleEdge);
   pen.draw->AddCircle(im(*mark), theme.px(9.5f), ink, 0, 1.5f * theme.scale);
   const char* sign = t.sun ? icon::kSun : t.hasCone ? icon::kEye : icon::kCircle;
@@ -171,9 +172,10 @@ void drawSceneOverlays(const ViewportRoom& room, const Projection& view) {
   if (o.bricks) drawBricks(room.ui, room.shown, view);
   drawVolumes(room.session, room.shown, room.settings, room.viewport, pen);
   drawSolids(room.session, room.shown, room.settings, room.viewport, pen);
+  const std::string handled = handledNode(room.session, room.viewport.tools.inside, room.clock.frame);
   if (o.lights)
     for (const PlacedLight& light : room.shown.scene.lights)
-      drawLight(room.ui, room.session, room.shown, pen, light);
+      drawLight(room.ui, room.session, room.shown, pen, light, handled);
   if (o.safeFrame) drawSafeFrame(pen);
 }
 

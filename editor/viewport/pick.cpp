@@ -9,6 +9,7 @@
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport_tools.h"
+#include "nodes/graph/graph_groups.h"
 #include "renderer/view/visible_point.h"
 
 namespace pileus::editor {
@@ -17,7 +18,7 @@ namespace {
 /// The node to take hold of: the nearest transform on the way up, else where it comes from.
 std::string handleOf(const nodes::Graph& graph, const std::vector<std::string>& chain) {
   for (const std::string& name : chain)
-    if (const nodes::Node* node = nodes::findNode(graph, name);
+    if (const nodes::Node* node = nodes::findNodeAt(graph, name);
         node && node->type == "volume.transform" && !node->bypass)
       return name;
   return chain.empty() ? "" : chain.back();

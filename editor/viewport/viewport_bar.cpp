@@ -37,25 +37,26 @@ struct Part {
   bool right = false;
   bool (*wanted)(const Bar&) = nullptr;  ///< null: always
 };
-constexpr Part kParts[] = {{drawOutput, 120, 7, false, hasOutputs},
+constexpr Part kParts[] = {{drawOutput, 120, 8, false, hasOutputs},
                            {drawLayer, 116, 1},
                            {drawChannel, 62, 4},
-                           {drawDisplay, 108, 6, false, hasDisplay},
+                           {drawDisplay, 108, 7, false, hasDisplay},
                            {drawView, 138, 3, false, hasDisplay},
-                           {drawLook, 110, 8, false, hasLooks},
+                           {drawLook, 110, 9, false, hasLooks},
                            {drawExposure, 127, 2, false, hasExposure},
-                           {drawGamma, 112, 16, false, hasExposure},
-                           {drawResolution, 78, 18},
-                           {drawCamera, 110, 19, true},
-                           {drawRaw, kSquare, 15, true},
-                           {drawFalse, kSquare, 12, true},
-                           {drawZebra, kSquare, 14, true},
-                           {drawHisto, kSquare, 11, true},
-                           {drawInspect, kSquare, 9, true},
-                           {drawRegionButton, kSquare, 13, true},
-                           {drawStill, kSquare, 10, true},
-                           {drawCompareButton, kSquare, 5, true},
-                           {drawHudButton, kSquare, 17, true}};
+                           {drawGamma, 112, 17, false, hasExposure},
+                           {drawResolution, 78, 19},
+                           {drawCamera, 110, 20, true},
+                           {drawLock, kSquare, 5, true, hasCamera},
+                           {drawRaw, kSquare, 16, true},
+                           {drawFalse, kSquare, 13, true},
+                           {drawZebra, kSquare, 15, true},
+                           {drawHisto, kSquare, 12, true},
+                           {drawInspect, kSquare, 10, true},
+                           {drawRegionButton, kSquare, 14, true},
+                           {drawStill, kSquare, 11, true},
+                           {drawCompareButton, kSquare, 6, true},
+                           {drawHudButton, kSquare, 18, true}};
 constexpr std::size_t kCount = std::size(kParts);
 
 float partWidth(const Theme& theme, const Part& part) {
@@ -109,7 +110,8 @@ void drawMore(Bar& bar) {
                          "viewport.snapshot_wipe", "viewport.compare"})
     commandMenuItem(bar.room.ui, id);
   ImGui::Separator();
-  for (const char* id : {"viewport.frame", "viewport.reset_camera", "viewport.exposure_reset"})
+  for (const char* id : {"viewport.lock_camera", "viewport.back_to_camera", "viewport.frame",
+                         "viewport.reset_camera", "viewport.exposure_reset"})
     commandMenuItem(bar.room.ui, id);
 }
 

@@ -28,6 +28,7 @@ struct ShadowPlace {
 
 struct ViewportTools {
   GizmoMode mode = GizmoMode::Select;
+  std::string inside;  ///< path of the node in a selected group that was clicked in the picture
   // A gizmo being dragged.
   std::optional<GizmoHandle> over;
   std::optional<GizmoDrag> drag;
@@ -59,7 +60,7 @@ void insertTransform(Ui& ui, Session& session);
 bool canInsertTransform(const Session& session);
 void frameSelected(Ui& ui, Session& session, Clock& clock, Shown& shown);
 
-/// The node that a click at a pixel chooses; "" = nothing there.
+/// The path of the node that a click at a pixel chooses; "" = nothing there.
 std::string nodeAt(const Theme& theme, const Session& session, const Shown& shown, const Settings& settings,
                    const Projection& view, vec2 at);
 /// Where a light's mark is drawn; nothing out of view.

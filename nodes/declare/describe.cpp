@@ -6,6 +6,10 @@ std::string labelFromId(std::string_view id) {
   std::string label(id);
   for (char& c : label)
     if (c == '_') c = ' ';
+  // Ids are American, as code is; labels are British, as text is.
+  for (const auto& [code, text] : {std::pair("color", "colour"), std::pair("center", "centre")})
+    if (const std::size_t at = label.find(code); at != std::string::npos)
+      label.replace(at, std::string_view(code).size(), text);
   if (!label.empty() && label[0] >= 'a' && label[0] <= 'z')
     label[0] = static_cast<char>(label[0] - 'a' + 'A');
   return label;

@@ -32,6 +32,8 @@ class ParamRow {
   /// Instead of all of the enum's, in its words.
   ParamRow& choices(std::vector<Choice> v) { return spec_->choices = std::move(v), *this; }
   ParamRow& socket() { return spec_->socket = true, *this; }
+  /// For the editor alone: another value makes nothing anew.
+  ParamRow& forEditor() { return spec_->forEditor = true, *this; }
   ParamRow& file(std::string kinds, bool writes = false) {
     return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this;
   }
@@ -53,7 +55,7 @@ class SocketRow {
   SocketSpec* spec_;
 };
 
-/// "step_scale" -> "Step scale".
+/// "step_scale" -> "Step scale", "color" -> "Colour".
 std::string labelFromId(std::string_view id);
 
 namespace detail {

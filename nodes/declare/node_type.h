@@ -36,9 +36,10 @@ struct ParamSpec {
   bool logarithmic = false;         ///< drag in ratios
   std::vector<Choice> choices;      ///< Enum
   std::string fileKinds;            ///< File: "vdb", "exr"
-  bool writes = false;  ///< File: an output, not an input (does not enter the content key with its stamp)
-  DataRange data;       ///< Curve, Ramp
-  bool socket = false;  ///< an input socket without being exposed
+  bool writes = false;     ///< File: an output, not an input (does not enter the content key with its stamp)
+  DataRange data;          ///< Curve, Ramp
+  bool socket = false;     ///< an input socket without being exposed
+  bool forEditor = false;  ///< read by the editor alone: what the node gives does not depend on it
   std::function<void(void* in, const ParamValue&)> set;  ///< of an In of the type
   std::function<ParamValue(const void* in)> get;
 };

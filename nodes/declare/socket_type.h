@@ -18,7 +18,7 @@ constexpr auto enumInfo(SocketType*) {
       EnumItem<T>{T::Image, "image", "Image", "A scene-linear picture with layers."},
       EnumItem<T>{T::Number, "number", "Number", "A number."},
       EnumItem<T>{T::Vector, "vector", "Vector", "Three numbers."},
-      EnumItem<T>{T::Color, "color", "Color", "A colour in the working space."},
+      EnumItem<T>{T::Color, "color", "Colour", "A colour in the working space."},
       EnumItem<T>{T::Text, "text", "Text", "A text."}};
 }
 

@@ -95,7 +95,8 @@ std::optional<Error> resolveParams(const std::string& name, const Node& node, co
 Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& settings) {
   Hasher hash;
   hash.add(std::string_view(type.id)).add(type.version);
-  for (const ParamValue& value : in.params) addParam(hash, value);
+  for (std::size_t i = 0; i < in.params.size(); ++i)
+    if (!type.params[i].forEditor) addParam(hash, in.params[i]);
   for (const Key& stamp : in.stamps) hash.add(stamp);
   bool cameraLinked = false;
   for (std::size_t i = 0; i < type.inputs.size(); ++i) {

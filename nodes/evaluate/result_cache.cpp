@@ -46,7 +46,8 @@ ResultCache::Entries::iterator ResultCache::drop(Entries::iterator it, std::size
 void ResultCache::forgetTransientErrors() {
   for (auto it = entries_.begin(); it != entries_.end();) {
     const auto& error = it->second.error;
-    const bool again = error && (error->code == Code::Gpu || error->code == Code::Cancelled);
+    const bool again =
+        error && (error->passing || error->code == Code::Gpu || error->code == Code::Cancelled);
     it = again ? drop(it) : std::next(it);
   }
 }

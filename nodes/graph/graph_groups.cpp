@@ -36,6 +36,13 @@ const Graph* groupGraph(const Graph& graph, const std::string& name) {
   return node ? node->group.get() : nullptr;
 }
 
+const Node* findNodeAt(const Graph& root, const std::string& path) {
+  if (const Node* node = findNode(root, path)) return node;
+  const std::size_t slash = path.find('/');
+  const Graph* inner = slash == std::string::npos ? nullptr : groupGraph(root, path.substr(0, slash));
+  return inner ? findNodeAt(*inner, path.substr(slash + 1)) : nullptr;
+}
+
 const Graph* graphAt(const Graph& root, std::span<const std::string> scope) {
   const Graph* graph = &root;
   for (const std::string& name : scope)

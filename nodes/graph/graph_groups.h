@@ -15,6 +15,8 @@ inline constexpr std::size_t kDeepestGroup = 16;  ///< groups within groups
 
 /// What a group holds; null: no such node, or no group.
 const Graph* groupGraph(const Graph& graph, const std::string& name);
+/// A node by its path, "Group/Node"; also one of a flat graph, whose names are paths. Null: there is none.
+const Node* findNodeAt(const Graph& root, const std::string& path);
 /// The graph a path of group names leads to; null: there is none. An empty path leads to `root`.
 const Graph* graphAt(const Graph& root, std::span<const std::string> scope);
 /// `root` with the graph there replaced; links to sockets that are gone are dropped, to those of renamed

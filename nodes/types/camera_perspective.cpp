@@ -9,6 +9,7 @@ struct In {
   dvec3 target{0};
   dvec3 up{0, 1, 0};
   double fov = 40;
+  bool lock = false;
 };
 
 struct Out {
@@ -26,6 +27,9 @@ void describe(Describe<In, Out>& d) {
       .help("What it looks at; orbiting turns about it.");
   d.in("up", &In::up).range(-1e6, 1e6).soft(-1, 1).help("The direction that is up in the picture.");
   d.in("fov", &In::fov).unit("deg").range(0.1, 170).soft(10, 100).help("Vertical angle of view.");
+  d.in("lock", &In::lock)
+      .forEditor()
+      .help("Moves in the viewport leave it alone: they look around freely, with a way back.");
   d.out("camera", &Out::camera).help("The camera.");
 }
 

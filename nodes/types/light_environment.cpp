@@ -34,15 +34,19 @@ void describe(Describe<In, Out>& d) {
       .help("The picture. Its middle column shows azimuth 0, its top row straight up.");
   d.in("colorspace", &In::colorspace)
       .label("Color space")
-      .help("Of the file, by its name in the colour configuration ($OCIO, else the shipped one). Empty: linear "
-            "Rec. 709.");
+      .help(
+          "Of the file, by its name in the colour configuration ($OCIO, else the shipped one). Empty: linear "
+          "Rec. 709.");
   d.in("rotation", &In::rotation)
       .unit("deg")
       .range(-36000, 36000)
       .soft(-180, 180)
       .help("Added to every azimuth: turns it about the vertical.");
   d.in("exposure", &In::exposure).unit("stops").range(-40, 40).soft(-8, 8).help("Twice as bright for each.");
-  d.in("tint", &In::tint).range(0, 1e6).soft(0, 1).help("Multiplies the radiance; linear, in the working space.");
+  d.in("tint", &In::tint)
+      .range(0, 1e6)
+      .soft(0, 1)
+      .help("Multiplies the radiance; linear, in the working space.");
   d.in("visible", &In::visible).help("Is it seen behind the media? Alpha stays that of the media.");
   d.out("light", &Out::light).help("Its suns, and what stands for the rest.");
 }
@@ -98,7 +102,8 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
     sun.emitted *= environment->scale;
     out.light.items.push_back({sun, nullptr});
   }
-  for (LightWithShadow& part : standIns(environment, *read.strata)) out.light.items.push_back(std::move(part));
+  for (LightWithShadow& part : standIns(environment, *read.strata))
+    out.light.items.push_back(std::move(part));
   ctx.note(fmt::format("{} x {}; {} {} taken out of it", read.size.x, read.size.y, read.suns.size(),
                        read.suns.size() == 1 ? "sun is" : "suns are"));
   return out;
@@ -106,8 +111,6 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
 
 }  // namespace
 
-NodeType node_light_environment() {
-  return makeNode<In, Out>("light.environment", 1, describe, evaluate);
-}
+NodeType node_light_environment() { return makeNode<In, Out>("light.environment", 1, describe, evaluate); }
 
 }  // namespace pileus::nodes

@@ -30,7 +30,8 @@ struct Out {
 void describe(Describe<In, Out>& d) {
   d.name("Sky").category("Light").keywords("atmosphere sun daylight physical dusk dawn sunset");
   d.help(
-      "The sky of the Earth and the sun seen through its air, all orders of scattering in it, and the ground's "
+      "The sky of the Earth and the sun seen through its air, all orders of scattering in it, and the "
+      "ground's "
       "light. Sun and sky fit together at every hour, also when the sun has set.");
   d.in("azimuth", &In::azimuth)
       .unit("deg")
@@ -98,8 +99,7 @@ struct Work {
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
   auto& job = ctx.state<Work>().job;
-  if (!job)
-    job = std::make_unique<Job<Made>>([in](JobControl&) -> Result<Made> { return make(in); });
+  if (!job) job = std::make_unique<Job<Made>>([in](JobControl&) -> Result<Made> { return make(in); });
   if (!job->done()) {
     ctx.pending(job->progress(), "Making the sky");
     return Out{};

@@ -13,7 +13,7 @@ struct Out {
 };
 
 void describe(Describe<In, Out>& d) {
-  d.name("Color").category("Value").keywords("rgb colour tint constant");
+  d.name("Colour").category("Value").keywords("rgb color tint constant");
   d.help("A colour in the working space to link to parameters.");
   d.in("value", &In::value).range(0, 1e6).soft(0, 1).help("What it gives.");
   d.out("value", &Out::value).help("The value.");

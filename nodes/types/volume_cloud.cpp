@@ -53,15 +53,16 @@ void describe(Describe<In, Out>& d) {
   d.out("volume", &Out::volume).help("The clouds as one volume with the default medium.");
 }
 
-using Bake = Job<volume::GridPtr>;
+using Bake = LooseJob<volume::GridPtr>;
 
 /// The bakes in the order they run: the coarse one, then the full one.
 struct Bakes {
-  std::unique_ptr<Bake> coarse, full;
+  Bake coarse, full;
 };
 
-std::unique_ptr<Bake> startBake(const volume::CloudParams& params) {
-  return std::make_unique<Bake>([params](JobControl& control) { return volume::bakeCloud(params, control); });
+Bake startBake(const volume::CloudParams& params) {
+  return looseJob<volume::GridPtr>(
+      [params](JobControl& control) { return volume::bakeCloud(params, control); });
 }
 
 Out placed(const volume::GridPtr& grid) {

@@ -54,7 +54,7 @@ std::string strayOf(const volume::BrickGrid& grid) {
 }
 
 struct Import {
-  std::unique_ptr<Job<Read>> job;
+  LooseJob<Read> job;
 };
 
 /// What was guessed and why, and what of the file is not used.
@@ -75,8 +75,8 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
   auto& job = ctx.state<Import>().job;
   if (!job)
-    job = std::make_unique<Job<Read>>([path = std::filesystem::path(in.file.path), grid = in.grid,
-                                       surfaces = in.level_set](JobControl& control) -> Result<Read> {
+    job = looseJob<Read>([path = std::filesystem::path(in.file.path), grid = in.grid,
+                          surfaces = in.level_set](JobControl& control) -> Result<Read> {
       Read read;
       PILEUS_TRY(read.imported, volume::importVdb(path, grid, control, {}, surfaces));
       read.fit = volume::autofit(*read.imported.grid);
@@ -87,7 +87,11 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
     ctx.pending(job->progress(), "Reading " + std::filesystem::path(in.file.path).filename().string());
     return Out{};
   }
-  if (!job->result()) return fail(job->result().error().code, "file: {}", job->result().error().message);
+  if (!job->result()) {
+    Error error = job->result().error();
+    error.message.insert(0, "file: ");
+    return error;
+  }
   const volume::ImportedGrid& imported = job->result()->imported;
   for (const std::string& warning : imported.warnings) ctx.warn(warning);
   if (const std::string& stray = job->result()->stray; !stray.empty())

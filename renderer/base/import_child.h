@@ -38,8 +38,9 @@ struct Message {
 /// Takes the first whole message off `buffer`; nothing yet: nullopt. An Error: the bytes are no message.
 Result<std::optional<Message>> takeMessage(std::string& buffer);
 
-/// An error about a file: its path, then the reason, of a length that can be shown.
-Error aboutFile(const std::filesystem::path& path, Code code, std::string_view reason);
+/// An error about a file: its path, then the reason, of a length that can be shown. `passing`: the file is
+/// not to blame, it may be read later.
+Error aboutFile(const std::filesystem::path& path, Code code, std::string_view reason, bool passing = false);
 
 /// What the parent does beside waiting. Each may be null.
 struct ImportWatch {

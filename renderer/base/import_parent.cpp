@@ -26,10 +26,10 @@ std::string_view lastLine(std::string_view text) {
 
 }  // namespace
 
-Error aboutFile(const fs::path& path, Code code, std::string_view reason) {
+Error aboutFile(const fs::path& path, Code code, std::string_view reason, bool passing) {
   std::string message = fmt::format("{}: {}", path.string(), reason);
   if (message.size() > kLongestReason) message = message.substr(0, kLongestReason - 3) + "...";
-  return Error{code, std::move(message)};
+  return Error{code, std::move(message), passing};
 }
 
 Result<std::string> runImportChild(const fs::path& path, std::vector<std::string> arguments,
@@ -40,7 +40,7 @@ Result<std::string> runImportChild(const fs::path& path, std::vector<std::string
   arguments.push_back(std::to_string(static_cast<long>(limits.cpuSeconds)));
   auto started =
       ChildProcess::start(limits.executable.empty() ? executablePath() : limits.executable, arguments);
-  if (!started) return started.error();
+  if (!started) return aboutFile(path, Code::Internal, started.error().message, true);
   ChildProcess& child = *started;
   if (watch.started) watch.started(child.id());
   const auto suffix = [&] { return watch.suffix ? watch.suffix() : std::string(); };
@@ -50,8 +50,8 @@ Result<std::string> runImportChild(const fs::path& path, std::vector<std::string
     open = child.read(std::chrono::milliseconds(20));
     if (control.cancelled()) return fail(Code::Cancelled, "cancelled");  // the destructor kills
     if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > limits.wallSeconds)
-      return aboutFile(path, Code::Input,
-                       fmt::format("reading it took longer than {} s", limits.wallSeconds));
+      return aboutFile(path, Code::Input, fmt::format("reading it took longer than {} s", limits.wallSeconds),
+                       true);
     while (true) {
       auto message = takeMessage(child.out);
       if (!message) return message.error();
@@ -74,7 +74,8 @@ Result<std::string> runImportChild(const fs::path& path, std::vector<std::string
   if (WIFSIGNALED(status)) {
     const int s = WTERMSIG(status);
     if (s == SIGXCPU)
-      return aboutFile(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds));
+      return aboutFile(path, Code::Input, fmt::format("reading it took longer than {} s", limits.cpuSeconds),
+                       true);
     return aboutFile(path, Code::Input,
                      fmt::format("the file is damaged: its reader was stopped by signal {} ({}){}", s,
                                  ::strsignal(s), suffix()));
@@ -82,7 +83,7 @@ Result<std::string> runImportChild(const fs::path& path, std::vector<std::string
   if (answer && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(answer->content);
   return aboutFile(
       path, Code::Internal,
-      fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)));
+      fmt::format("its reader ended with status {} and no answer; {}", status, lastLine(child.err)), true);
 }
 
 }  // namespace pileus

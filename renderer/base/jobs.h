@@ -1,5 +1,6 @@
 #pragma once
-// Cancellable background work. A Job runs once on its own thread; destroying it cancels and joins.
+// Cancellable background work. A Job runs once on its own thread; destroying it cancels and joins,
+// but for a LooseJob, which is left to end by itself.
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -38,7 +39,7 @@ Result<T> withoutThrowing(Work& work, JobControl& control) {
   try {
     return work(control);
   } catch (const std::bad_alloc&) {
-    return fail(Code::Input, "out of memory: close other programs, or make it smaller");
+    return Error{Code::Input, "out of memory: close other programs, or make it smaller", true};
   } catch (const std::exception& e) {
     return fail(Code::Internal, "{}", e.what());
   } catch (...) {
@@ -84,5 +85,27 @@ class Job {
   std::optional<Result<T>> result_;
   std::thread thread_;
 };
+
+/// Keeps a cancelled job until it has ended, without waiting for it: any thread.
+void retireJob(std::shared_ptr<void> job, std::function<bool()> done);
+/// Waits for all of them; before the program ends.
+void joinRetiredJobs();
+
+/// For jobs of which nobody needs to know that they have ended, and that may take a while to notice that they
+/// are cancelled. Their work must hold all it uses.
+struct RetireJob {
+  template <class T>
+  void operator()(Job<T>* job) const {
+    std::shared_ptr<Job<T>> kept(job);
+    kept->cancel();
+    if (!kept->done()) retireJob(kept, [job] { return job->done(); });
+  }
+};
+template <class T>
+using LooseJob = std::unique_ptr<Job<T>, RetireJob>;
+template <class T, class Work>
+LooseJob<T> looseJob(Work work) {
+  return LooseJob<T>(new Job<T>(std::move(work)));
+}
 
 }  // namespace pileus

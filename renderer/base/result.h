@@ -23,6 +23,7 @@ enum class Code {
 struct Error {
   Code code = Code::Internal;
   std::string message;
+  bool passing = false;  ///< of the moment, not of the input: the same may go well later
 };
 
 template <class... Args>

@@ -74,7 +74,8 @@ Result<std::string> runChild(const fs::path& path, std::vector<std::string> argu
     if (into.instead && into.instead->append(part)) return {};
     return aboutFile(
         path, Code::Internal,
-        fmt::format("its bricks fit neither into the cache nor into memory ({})", std::strerror(errno)));
+        fmt::format("its bricks fit neither into the cache nor into memory ({})", std::strerror(errno)),
+        true);
   };
   return runImportChild(path, std::move(arguments), control, limits, watch);
 }
@@ -138,7 +139,7 @@ Result<ImportedGrid> importVdb(const fs::path& path, const std::string& gridName
   auto stored = readStore(memory.holdsAny() ? memory.path() : store);
   if (!stored)
     return aboutFile(path, Code::Internal,
-                     fmt::format("its bricks cannot be read back: {}", stored.error().message));
+                     fmt::format("its bricks cannot be read back: {}", stored.error().message), true);
   ImportedGrid out = fromStore(stored->grid, std::move(stored->notes));
   if (memory.holdsAny())
     out.warnings.push_back(fmt::format("the file is read without the cache, each time anew: {}", unwritten));

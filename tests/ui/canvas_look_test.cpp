@@ -1,5 +1,7 @@
 // What the graph canvas shows, looked at in the real window: states of nodes, the map, finding, arranging,
 // pictures, and what 500 nodes cost.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -159,6 +161,43 @@ TEST(CanvasLook, ArrangeAlignFindAndMap) {
   for (const json& node : ui.trace()["document"]["nodes"]) EXPECT_EQ(node["at"][1], 0);
   ui.key("ctrl+z");
   EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"]["nodes"] == before; }));
+}
+
+TEST(CanvasLook, ZoomToAllFitsAThousandNodes) {
+  // In one long row, farther than any group that was arranged.
+  std::string nodes;
+  for (int i = 0; i < 1000; ++i)
+    nodes += fmt::format(R"({}"N{}": {{ "type": "volume.box", "at": [{}, {}] }})", i ? "," : "", i, 260 * i,
+                         40 * (i % 7));
+  UiSession ui({1280, 720}, {fileOf("row.json", R"({ "pileus": 2, "nodes": {)" + nodes + "} }").string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.move(ui.center("canvas"));
+  ui.key("a");
+  ui.settle();
+  const json t = ui.trace(), canvas = t["rects"]["canvas"];
+  for (const char* node : {"node/N0", "node/N999"}) {
+    ASSERT_TRUE(t["rects"].contains(node)) << node << " is out of view";
+    EXPECT_GE(t["rects"][node][0], canvas[0]);
+    EXPECT_LE(t["rects"][node][2], canvas[2]);
+  }
+}
+
+TEST(CanvasLook, PicturesOfNodesThatAreGoneGo) {
+  UiSession ui({1280, 800}, {fileOf("states.json", kStates).string()}, json{{"showThumbnails", true}});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor(done, 60)) << ui.log();
+  const auto count = [](const json& t) { return std::atoi(t["notes"].value("thumbnails", "0").c_str()); };
+  ui.move(ui.center("canvas"));
+  ui.key("a");
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return count(t) >= 4; }));
+  const int before = count(ui.trace());
+  for (int i = 0; i < 5; ++i) {
+    ui.click("header/Map");
+    ui.key("Delete");
+    EXPECT_TRUE(ui.waitFor([&](const json& t) { return count(t) == before - 1; })) << count(ui.trace());
+    ui.key("ctrl+z");
+    EXPECT_TRUE(ui.waitFor([&](const json& t) { return count(t) == before; })) << count(ui.trace());
+  }
 }
 
 TEST(CanvasLook, SearchKeepsOneCategory) {

@@ -111,6 +111,39 @@ TEST(Compare, WipeHalvesAndErrorOfAWrongMap) {
   EXPECT_EQ(ui.waitExit(), 0) << ui.log();
 }
 
+TEST(Compare, ADraftOfTheTruthComesWhileTheFinalPictureIsAtWork) {
+  std::string text = kGraph;
+  const std::string samples = R"("samples": 4)";
+  text.replace(text.find(samples), samples.size(), R"("samples": 4096)");
+  const std::filesystem::path path = scratchFolder() / "long.json";
+  std::ofstream(path) << text;
+  UiSession ui({1280, 720}, {path.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("picture"); }, 60)) << ui.log();
+  ui.move(ui.center("viewport"));
+  ui.key("Tab");
+  ASSERT_TRUE(ui.waitRect("compare/line"));
+  EXPECT_TRUE(ui.waitFor(
+      [](const json& t) {
+        const std::string right = t["notes"].value("compare right", "");
+        return right.starts_with("Ray marched") && !right.ends_with("soon");
+      },
+      20))
+      << ui.trace()["notes"];
+  EXPECT_EQ(ui.trace()["complete"], false) << "the picture itself is far from finished";
+  // The small one goes on beside it, and says how long all of it takes.
+  EXPECT_TRUE(ui.waitFor(
+      [](const json& t) {
+        const std::string progress = t["notes"].value("compare progress", "");
+        return progress.starts_with("Truth 0.") && progress.ends_with(" left");
+      },
+      40))
+      << ui.trace()["notes"];
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return number(t, "compare relmse") > 0; }, 60))
+      << ui.trace()["notes"];
+  ui.screenshot("27-truth-while-refining");
+}
+
 TEST(RayScope, PicksExplainsAndMutes) {
   UiSession ui({1440, 900}, {graphFile().string()});
   ASSERT_TRUE(ui.running()) << ui.log();

@@ -174,6 +174,48 @@ TEST(Documents, PlaybackOnASlowMachineShowsPictures) {
       << "every frame takes the last one's picture away";
 }
 
+TEST(Documents, MissingFilesAreListedAndFoundTogether) {
+  const fs::path folder = scratchFolder();
+  const fs::path file = folder / "missing.json";
+  std::ofstream(file) << R"({ "pileus": 2, "nodes": {
+    "Smoke": { "type": "volume.vdb_file", "at": [0, 0], "params": { "file": "/nowhere/old/smoke.vdb" } },
+    "Rig": { "type": "group", "at": [0, 150], "graph": { "nodes": {
+      "Fire": { "type": "volume.vdb_file", "at": [0, 0], "params": { "file": "fire_####.vdb" } } } } },
+    "Gone": { "type": "volume.vdb_file", "at": [0, 300], "params": { "file": "gone.vdb" } } } })";
+  fs::create_directories(folder / "moved" / "deep");
+  for (const char* name : {"moved/smoke.vdb", "moved/deep/smoke.vdb", "moved/deep/fire_0012.vdb"})
+    std::ofstream(folder / name) << "not looked into";
+  UiSession ui({1280, 800}, {file.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["message"] == "3 files are missing"; }))
+      << ui.trace()["message"];
+  ui.click("menubar/File");
+  ui.click("menu/file.missing");
+  ASSERT_TRUE(ui.waitRect("dialog/relink"));
+  EXPECT_EQ(ui.trace()["notes"]["missing Smoke.file"], "/nowhere/old/smoke.vdb");
+  EXPECT_EQ(ui.trace()["notes"]["missing Rig/Fire.file"], (folder / "fire_####.vdb").string());
+  ui.screenshot("documents-missing");
+  ui.click("dialog/relink");
+  ASSERT_TRUE(ui.waitRect("browser/name"));
+  ui.type((folder / "moved").string());
+  ui.click("browser/ok");
+  EXPECT_TRUE(becomes(ui, "Smoke", "file", (folder / "moved" / "smoke.vdb").string()))
+      << param(ui, "Smoke", "file");
+  const json t = ui.trace();
+  EXPECT_EQ(t["document"]["nodes"]["Rig"]["graph"]["nodes"]["Fire"]["params"]["file"],
+            (folder / "moved" / "deep" / "fire_####.vdb").string());
+  EXPECT_EQ(t["undo"], "Find missing files");
+  // What is left is listed again.
+  ASSERT_TRUE(ui.waitRect("dialog/relink"));
+  EXPECT_TRUE(ui.trace()["notes"].contains("missing Gone.file"));
+  EXPECT_FALSE(ui.trace()["notes"].contains("missing Smoke.file"));
+  ui.click("dialog/close");
+  ui.move(ui.emptySpot());
+  ui.key("ctrl+z");
+  EXPECT_TRUE(becomes(ui, "Smoke", "file", "/nowhere/old/smoke.vdb"));
+  EXPECT_EQ(ui.trace()["undo"], "") << "one step";
+}
+
 TEST(Documents, WhatArrivesInTheMiddleOfADragStays) {
   PILEUS_NEEDS_DATA();
   UiSession ui({1280, 800}, {graphFile("drag.json").string()});

@@ -22,16 +22,6 @@ fs::path graphFile(const std::string& name = "fields.json") {
   return file;
 }
 
-json param(const UiSession& ui, const std::string& node, const std::string& id) {
-  const json t = ui.trace();
-  const json& n = t["document"]["nodes"][node];
-  return n.contains("params") && n["params"].contains(id) ? n["params"][id] : json();
-}
-
-bool becomes(const UiSession& ui, const std::string& node, const std::string& id, const json& value) {
-  return ui.waitFor([&](const json&) { return param(ui, node, id) == value; }, 8);
-}
-
 void begin(const UiSession& ui, const std::string& rect, const std::string& text) {
   ui.click(ui.center(rect), {"ctrl"});
   ui.type(text);
@@ -209,8 +199,8 @@ TEST(Fields, NoDigitIsLostWhenFramesAreSlow) {
   EXPECT_TRUE(becomes(ui, "Sun", "irradiance", 30)) << param(ui, "Sun", "irradiance");
   const Point header = ui.center("header/Box");
   ui.move({p.x + 20, p.y});  // no double click
-  ui.input({"keydown", "ctrl", "click", "1", "keyup", "ctrl", "type", "47"});
-  ui.input({"mousemove", std::to_string(header.x), std::to_string(header.y), "click", "1"});
+  ui.input({"keydown", "ctrl", "click", "1", "keyup", "ctrl", "type", "47", "mousemove",
+            std::to_string(header.x), std::to_string(header.y), "click", "1"});
   EXPECT_TRUE(becomes(ui, "Sun", "irradiance", 47)) << param(ui, "Sun", "irradiance");
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["selection"] == json{"Box"}; }));
   // A search that a key opens gets the letters that follow it.

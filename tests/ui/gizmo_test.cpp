@@ -255,5 +255,57 @@ TEST(Gizmo, OnTheDefaultPreset) {
   ui.screenshot("77-default-bricks");
 }
 
+/// A keyed sun in a group, and its key at frame 1.
+constexpr char kGrouped[] = R"({
+  "pileus": 1,
+  "settings": { "size": [480, 270], "frames": [1, 10] },
+  "nodes": {
+    "Box": { "type": "volume.box", "at": [0, 0] },
+    "Rig": { "type": "group", "at": [0, 200], "graph": {
+      "nodes": {
+        "Sun": { "type": "light.sun", "at": [0, 0],
+                 "params": { "azimuth": { "keys": [[1, 40, "linear"], [9, 60, "linear"]] }, "elevation": 35 } },
+        "light": { "type": "group.output", "at": [260, 0] } },
+      "links": [ "Sun.light -> light.in" ] } },
+    "Camera": { "type": "camera.perspective", "at": [0, 500], "params": { "eye": [0.5, 0.8, 7] } },
+    "Render": { "type": "render.volume", "at": [520, 0], "params": { "samples": 1 } },
+    "View": { "type": "output.view", "at": [780, 0] } },
+  "links": [ "Box.volume -> Render.volumes", "Rig.light -> Render.lights", "Camera.camera -> Render.camera",
+             "Render.image -> View.image" ]
+})";
+
+TEST(Gizmo, HandlesReachIntoGroups) {
+  const std::filesystem::path path = scratchFolder() / "grouped.json";
+  std::ofstream(path) << kGrouped;
+  UiSession ui({1380, 860}, {path.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor(settled, 60)) << ui.log();
+  // The light in the group has its mark, and a click there shows its handles.
+  ASSERT_TRUE(ui.waitRect("light/Rig/Sun"));
+  ui.click("light/Rig/Sun");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Rig"); })) << ui.trace()["selection"];
+  ASSERT_TRUE(ui.waitRect("gizmo/sun_disc/0"));
+  ui.screenshot("74-handle-in-group");
+  const Point disc = ui.center("gizmo/sun_disc/0");
+  ui.drag(disc, {disc.x - 50, disc.y + 10});
+  const auto sun = [](const json& t) {
+    return t["document"]["nodes"]["Rig"]["graph"]["nodes"]["Sun"]["params"];
+  };
+  EXPECT_TRUE(ui.waitFor([&](const json& t) {
+    return t["undo"] == "Turn Rig/Sun" && sun(t)["azimuth"]["keys"].size() == 2 &&
+           sun(t)["azimuth"]["keys"][0][1] != 40;
+  })) << ui.trace()["undo"]
+      << sun(ui.trace());
+  ui.move(at(ui, 0.5, 0.9));
+  ui.key("ctrl+z");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return sun(t)["azimuth"]["keys"][0][1] == 40; }));
+
+  // So they do in the group itself.
+  ui.doubleClick(ui.center("header/Rig"));
+  ASSERT_TRUE(ui.waitRect("header/Sun"));
+  ui.click("header/Sun");
+  EXPECT_TRUE(ui.waitRect("gizmo/sun_disc/0"));
+}
+
 }  // namespace
 }  // namespace pileus::test

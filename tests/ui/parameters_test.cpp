@@ -19,16 +19,6 @@ constexpr char kNodes[] = R"(
   "Sun": { "type": "light.sun", "at": [260, 0] },
   "File": { "type": "volume.vdb_file", "at": [260, 150] })";
 
-json param(const UiSession& ui, const std::string& node, const std::string& id) {
-  const json t = ui.trace();
-  const json& n = t["document"]["nodes"][node];
-  return n.contains("params") && n["params"].contains(id) ? n["params"][id] : json();
-}
-
-bool becomes(const UiSession& ui, const std::string& node, const std::string& id, const json& value) {
-  return ui.waitFor([&](const json&) { return param(ui, node, id) == value; }, 8);
-}
-
 void open(const UiSession& ui, const std::string& rect) { ui.click(ui.center(rect), {"ctrl"}); }
 
 void enter(const UiSession& ui, const std::string& rect, const std::string& text) {

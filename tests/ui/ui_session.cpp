@@ -406,4 +406,14 @@ void UiSession::screenshot(const std::string& name) const {
   if (!written) ADD_FAILURE() << written.error().message;
 }
 
+json param(const UiSession& ui, const std::string& node, const std::string& id) {
+  const json t = ui.trace();
+  const json& n = t["document"]["nodes"][node];
+  return n.contains("params") && n["params"].contains(id) ? n["params"][id] : json();
+}
+
+bool becomes(const UiSession& ui, const std::string& node, const std::string& id, const json& value) {
+  return ui.waitFor([&](const json&) { return param(ui, node, id) == value; }, 8);
+}
+
 }  // namespace pileus::test

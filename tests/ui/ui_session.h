@@ -125,4 +125,9 @@ class UiSession {
   std::unique_ptr<Sent> sent_;
 };
 
+/// A parameter as the document holds it now; null where it has its default.
+json param(const UiSession& ui, const std::string& node, const std::string& id);
+/// Will it be that soon?
+bool becomes(const UiSession& ui, const std::string& node, const std::string& id, const json& value);
+
 }  // namespace pileus::test

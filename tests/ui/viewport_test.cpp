@@ -197,6 +197,67 @@ TEST(Viewport, ChannelsLayersInspectorRegionAndStills) {
   ui.key("Escape");
 }
 
+TEST(Viewport, ALockedCameraIsLookedAroundFrom) {
+  std::string text = kGraph;
+  const std::string eye = R"("eye": [2.2, 1.2, 5])";
+  text.replace(text.find(eye), eye.size(), eye + R"(, "lock": true)");
+  const std::filesystem::path path = scratchFolder() / "locked.json";
+  std::ofstream(path) << text;
+  UiSession ui({1280, 720}, {path.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor(complete, 60)) << ui.log();
+  const json before = ui.trace()["document"];
+  const std::string lock = "viewport/button/viewport.lock_camera";
+  const auto around = [](const json& t) { return note(t, "looking around") == "Camera"; };
+  EXPECT_FALSE(around(ui.trace()));
+  const Corners picture = corners(ui, "viewport");
+  const json axis = ui.trace()["rects"]["axis/x"];
+
+  // A drag and the wheel leave the node and the history alone.
+  ui.drag(picture.at(0.3, 0.85), picture.at(0.45, 0.8));
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return around(t) && complete(t); }, 60)) << ui.trace()["notes"];
+  ui.input({"click", "4"});
+  EXPECT_NE(ui.trace()["rects"]["axis/x"], axis) << "seen from elsewhere";
+  EXPECT_EQ(ui.trace()["document"], before);
+  EXPECT_EQ(ui.trace()["undo"], "");
+  EXPECT_EQ(ui.trace()["dirty"], false);
+  ui.screenshot("73-looking-around");
+
+  // The chip and the key lead back.
+  ui.click("viewport/around");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return !around(t) && t["rects"]["axis/x"] == axis; }, 10));
+  ui.drag(picture.at(0.3, 0.85), picture.at(0.45, 0.8));
+  ASSERT_TRUE(ui.waitFor(around, 10));
+  ui.key("BackSpace");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return !around(t) && t["rects"]["axis/x"] == axis; }, 10));
+
+  // Its place can be taken over, as one step.
+  ui.drag(picture.at(0.3, 0.85), picture.at(0.45, 0.8));
+  ASSERT_TRUE(ui.waitFor(around, 10));
+  const json there = ui.trace()["rects"]["axis/x"];
+  ui.key("F3");
+  ui.type("Move Camera Here");
+  ui.key("Return");
+  EXPECT_TRUE(ui.waitFor(
+      [&](const json& t) {
+        return !around(t) && t["undo"] == "Move Camera here" && t["rects"]["axis/x"] == there;
+      },
+      10))
+      << ui.trace()["undo"];
+  ui.move(picture.at(0.3, 0.85));
+  ui.key("ctrl+z");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["document"] == before; }, 10));
+
+  // Unlocked, a drag is an edit of the node again; the padlock renders nothing anew.
+  ASSERT_TRUE(ui.waitFor(complete, 60));
+  ui.click(lock);
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["undo"] == "Unlock Camera"; }, 10));
+  EXPECT_TRUE(becomes(ui, "Camera", "lock", json()));
+  ui.drag(picture.at(0.3, 0.85), picture.at(0.45, 0.8));
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["undo"] == "Orbit camera" && !around(t); }, 10))
+      << ui.trace()["undo"];
+}
+
 TEST(Viewport, DraftsOfTheFirstScenePaceThemselves) {
   UiSession ui({1280, 720}, {});
   ASSERT_TRUE(ui.running()) << ui.log();

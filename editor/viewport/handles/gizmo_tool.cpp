@@ -17,6 +17,7 @@
 #include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport.h"
 #include "editor/viewport/viewport_room.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 namespace {
@@ -109,15 +110,16 @@ void traceShapes(Ui& ui, const std::vector<GizmoShape>& shapes) {
 }  // namespace
 
 std::optional<GizmoFrame> currentGizmo(const ViewportRoom& room, const Projection& view) {
-  const std::string name = onlySelected(room.session);
   const ViewportTools& tools = room.viewport.tools;
+  const std::string name = handledNode(room.session, tools.inside, room.clock.frame);
   if (name.empty() || name == room.shown.look.light) return std::nullopt;
-  const nodes::Graph& graph = room.session.document.graph();
-  std::optional<GizmoTarget> target =
-      gizmoTarget(graph, name, pivotOf(room.session, room.shown, name), room.clock.frame);
+  const nodes::Graph& graph = room.session.document.root();
+  std::optional<GizmoTarget> target = gizmoTarget(graph, name, pivotOf(room.shown, name), room.clock.frame);
   if (!target) return std::nullopt;
   // The camera that is looked through has no place to take hold of.
-  if (name == linkedCamera(room.session, shownView(room.session, room.shown))) target->moves = false;
+  if (name == linkedCamera(room.session, shownView(room.session, room.shown)) &&
+      !aroundCamera(room.session, room.shown))
+    target->moves = false;
   return gizmoFrame(*target, tools.mode, room.settings.view.localAxes, view, room.ui.theme.px(96),
                     sunCenter(room.shown.scene, view));
 }
@@ -154,10 +156,10 @@ bool beginGizmoDrag(const ViewportRoom& room, const Projection& view) {
   const vec2 at = vec(ImGui::GetIO().MousePos);
   const auto handle = gizmoAt(gizmoShapes(*frame, view, room.ui.theme.px(1)), at, room.ui.theme.px(7));
   if (!handle) return false;
-  holdFrame(room.clock, *nodes::findNode(room.session.document.graph(), frame->target.node));
+  holdFrame(room.clock, *nodes::findNodeAt(room.session.document.root(), frame->target.node));
   room.session.document.endMerge();
   tools.drag = GizmoDrag{*handle, *frame, view.ray(at)};
-  tools.before = room.session.document.graph();
+  tools.before = room.session.document.root();
   tools.pointer = at;
   tools.readout.clear();
   return true;
@@ -182,7 +184,7 @@ void continueGizmoDrag(const ViewportRoom& room, const Projection& view) {
       const bool turns = dragged->target.rotate != start.target.rotate,
                  grows = dragged->target.scale != start.target.scale;
       const char* verb = start.target.sun || turns ? "Turn " : grows ? "Scale " : "Move ";
-      tryEdit(room.session, room.ui.messages, std::move(graph), verb + start.target.node, kMergeKey);
+      tryEditRoot(room.session, room.ui.messages, std::move(graph), verb + start.target.node, kMergeKey);
       room.shown.preview.touch();
     }
   }
@@ -197,7 +199,7 @@ void cancelGizmoDrag(Session& session, Viewport& viewport) {
   if (!tools.drag) return;
   tools.drag.reset();
   // Back where it began: the step vanishes with it.
-  session.document.edit(tools.before, "", kMergeKey);
+  session.document.editRoot(tools.before, "", kMergeKey);
   session.document.endMerge();
 }
 

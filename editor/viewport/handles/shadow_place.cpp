@@ -8,6 +8,7 @@
 #include "editor/toolkit/ui.h"
 #include "editor/viewport/viewport.h"
 #include "editor/viewport/viewport_room.h"
+#include "nodes/graph/graph_groups.h"
 #include "renderer/view/visible_point.h"
 
 namespace pileus::editor {
@@ -41,13 +42,14 @@ GizmoTarget castingOnto(const GizmoTarget& light, const dvec3& caster, const dve
 void placeByShadow(const ViewportRoom& room) {
   const std::string light = lightToUse(room.session, room.shown);
   if (light.empty()) return room.ui.messages.hint("Select a light first: its shadow is what you then place.");
-  if (!gizmoTarget(room.session.document.graph(), light, {}, room.clock.frame))
+  if (!gizmoTarget(room.session.document.root(), light, {}, room.clock.frame))
     return room.ui.messages.hint(light + " is bypassed and cannot be placed.");
   cancelShadowPlace(room.session, room.viewport);
-  holdFrame(room.clock, *nodes::findNode(room.session.document.graph(), light));
-  room.session.document.select({light});
+  holdFrame(room.clock, *nodes::findNodeAt(room.session.document.root(), light));
+  if (const std::string name = shownInScope(room.session, light); !name.empty())
+    room.session.document.select({name});
   room.session.document.endMerge();
-  room.viewport.tools.place = {ShadowPlace::Stage::Caster, light, {}, room.session.document.graph()};
+  room.viewport.tools.place = {ShadowPlace::Stage::Caster, light, {}, room.session.document.root()};
 }
 
 bool clickShadowPlace(Ui& ui, Session& session, const Shown& shown, Viewport& viewport,
@@ -73,16 +75,16 @@ void followShadowPlace(const ViewportRoom& room, const Projection& view, vec2 at
   const auto start = gizmoTarget(place.before, place.light, {}, room.clock.frame);
   const auto receiver = seenAt(room.shown, view, at);
   if (!start || !receiver) return;
-  tryEdit(room.session, room.ui.messages,
-          withTarget(place.before, *start, castingOnto(*start, place.caster, *receiver),
-                     glm::length(place.caster - *receiver), room.clock.frame),
-          "Place " + place.light + " by its shadow", kMergeKey);
+  tryEditRoot(room.session, room.ui.messages,
+              withTarget(place.before, *start, castingOnto(*start, place.caster, *receiver),
+                         glm::length(place.caster - *receiver), room.clock.frame),
+              "Place " + place.light + " by its shadow", kMergeKey);
   room.shown.preview.touch();
 }
 
 void cancelShadowPlace(Session& session, Viewport& viewport) {
   ShadowPlace& place = viewport.tools.place;
-  if (place.stage == ShadowPlace::Stage::Shadow) session.document.edit(place.before, "", kMergeKey);
+  if (place.stage == ShadowPlace::Stage::Shadow) session.document.editRoot(place.before, "", kMergeKey);
   if (place.stage != ShadowPlace::Stage::Off) session.document.endMerge();
   place = {};
 }

@@ -39,7 +39,8 @@ TEST(PathEnvironment, ABrightPixelIsASun) {
     scene.lights = {lightOf(e)};
     const test::Traced t = test::traced(scene);
     const dvec2 uv = (dvec2(at) + 0.5) / dvec2(size);
-    scene.lights = {{test::sunFrom(scene::sunDirection((0.5 - uv.x) * 360 + rotation, 90 - 180 * uv.y)), nullptr}};
+    scene.lights = {
+        {test::sunFrom(scene::sunDirection((0.5 - uv.x) * 360 + rotation, 90 - 180 * uv.y)), nullptr}};
     const test::Traced sun = test::traced(scene);
     const double error = std::hypot(t.grayError(), sun.grayError());
     std::printf("  rotation %.0f: %.6f +- %.6f, sun %.6f: %+.2f s.e.\n", rotation, t.gray(), t.grayError(),
@@ -55,7 +56,8 @@ std::shared_ptr<scene::Environment> gradient() {
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) {
       const dvec3 d = scene::environmentDirection((dvec2(x, y) + 0.5) / dvec2(64, 32));
-      e->map.at(x, y) = vec3(float(0.2 + 2 * std::pow(std::max(0.0, glm::dot(d, glm::normalize(dvec3(1, 1, 0.5)))), 4.0)));
+      e->map.at(x, y) =
+          vec3(float(0.2 + 2 * std::pow(std::max(0.0, glm::dot(d, glm::normalize(dvec3(1, 1, 0.5)))), 4.0)));
     }
   e->visible = false;
   return e;

@@ -1,9 +1,14 @@
-// What is thrown in a job is its error, not the program's end.
+// What is thrown in a job is its error, not the program's end; a loose job is not waited for.
 #include "renderer/base/jobs.h"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
+
+#include "renderer/base/profile.h"
 
 namespace pileus {
 namespace {
@@ -23,6 +28,28 @@ TEST(Jobs, WhatIsThrownBecomesAnError) {
   strange.wait();
   ASSERT_FALSE(strange.result());
   EXPECT_EQ(strange.result().error().code, Code::Internal);
+}
+
+TEST(Jobs, ALooseJobIsNotWaitedForUntilTheEnd) {
+  std::atomic<int> begun{0}, ended{0};
+  {
+    // Two that notice late that they are cancelled.
+    const auto slow = [&](JobControl& control) -> Result<int> {
+      ++begun;
+      while (!control.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));
+      return ++ended;
+    };
+    LooseJob<int> one = looseJob<int>(slow), other = looseJob<int>(slow);
+    while (begun < 2) std::this_thread::yield();
+    const Stopwatch clock;
+    one.reset();
+    other.reset();
+    EXPECT_LT(clock.ms(), 200) << "whoever draws the window does not stand still";
+    EXPECT_EQ(ended, 0);
+  }
+  joinRetiredJobs();
+  EXPECT_EQ(ended, 2);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Out {
 
 /// What the next calls of "t.script" shall do, and what was seen.
 struct Script {
-  enum Step { Finish, Partial, PartialJob, Pending, PendingGpu, Throw, Fail, Slow };
+  enum Step { Finish, Partial, PartialJob, Pending, PendingGpu, Throw, Fail, FailPassing, Slow };
   std::vector<Step> steps;
   std::size_t at = 0;
   std::uint64_t revision = 0;
@@ -69,6 +69,8 @@ Result<Out> runScript(const In& in, EvalContext& ctx) {
       throw std::runtime_error("bang");
     case Script::Fail:
       return fail(Code::Gpu, "value: too heavy");
+    case Script::FailPassing:
+      return Error{Code::Input, "value: took too long", true};
     case Script::Slow:
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       ctx.partial(0.1, script.revision);
@@ -305,6 +307,14 @@ TEST_F(Progressive, ExceptionsAndErrorsBecomeFailures) {
   run();
   EXPECT_EQ(evaluator.status("S").error.code, Code::Gpu);
   EXPECT_EQ(evaluator.status("S").error.message, "S.value: too heavy");
+}
+
+TEST_F(Progressive, WhatWasOnlyOfTheMomentIsTriedAgain) {
+  script.steps = {Script::FailPassing, Script::Finish};
+  EXPECT_TRUE(run().failed);
+  EXPECT_EQ(evaluator.status("S").error.message, "S.value: took too long");
+  EXPECT_FALSE(run().failed) << "the next request asks anew";
+  EXPECT_EQ(calls("S"), 2u);
 }
 
 TEST_F(Progressive, OldResultsAreDroppedBeyondTheLimit) {

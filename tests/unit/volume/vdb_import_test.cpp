@@ -546,6 +546,7 @@ TEST(VdbImport, CancelAndTimeLimitKillTheChild) {
   ASSERT_FALSE(slow);
   EXPECT_EQ(slow.error().code, Code::Input);
   EXPECT_NE(slow.error().message.find("longer than"), std::string::npos);
+  EXPECT_TRUE(slow.error().passing) << "another time it may be read";
   limits.wallSeconds = 60;
   JobControl control;
   std::thread canceller([&] {

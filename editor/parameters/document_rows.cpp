@@ -91,7 +91,7 @@ void colourFile(const ParameterRoom& room) {
   std::string text = current;
   const float button = ImGui::GetFrameHeight() + room.ui.theme.px(2);
   if (textField(room.session, room.parameters, "setting.ocio", text, f.width - button,
-                "$OCIO, else the shipped one", &kinds))
+                "$OCIO, or shipped", &kinds))
     setColours(room.session, room.shown, expandedHome(text));
   room.ui.trace.item("setting/ocio");
   ImGui::SameLine(0, room.ui.theme.px(2));

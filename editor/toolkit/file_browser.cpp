@@ -152,6 +152,8 @@ void FileBrowser::draw(Ui& ui, Settings& settings, std::span<const KeyPress> key
       kTitle, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
   ImGui::PopStyleVar(2);
   if (!visible) return;
+  const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  ui.trace.rect("browser", lo, {lo.x + size.x, lo.y + size.y});
   go_ = false;
   for (const KeyPress& key : keys) focusFilter_ |= key.key == 'F' && key.ctrl;
   handleKeys();
@@ -163,7 +165,11 @@ void FileBrowser::draw(Ui& ui, Settings& settings, std::span<const KeyPress> key
   drawName(ui);
   drawNotice(ui, settings);
   if (open_) drawBottom(ui);
-  if (open_ && std::exchange(here_, false)) finish(ui, settings, folder_ / "");
+  if (open_ && std::exchange(here_, false)) {
+    std::error_code ec;
+    const bool typed = !name_.empty() && fs::is_directory(typedPath(), ec);
+    finish(ui, settings, (typed ? typedPath() : folder_) / "");
+  }
   if (open_ && go_) {
     askReplace_ = false;
     const FileEntry* entry = row_ >= 0 && row_ < static_cast<int>(entries_.size())

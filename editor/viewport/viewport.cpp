@@ -66,9 +66,10 @@ void drawProgress(Ui& ui, const Session& session, const Shown& shown, vec2 lo, v
   else
     text = fmt::format("{} %", percent);
   const Theme& theme = ui.theme;
-  // In compare mode the upper corners hold the names of the sides.
-  const float below = shown.compare.on ? theme.px(28) : 0;
-  drawChip(theme, lo + vec2(theme.space(2), theme.space(2) + below), text, palette::kText);
+  // In compare mode the upper corners hold the names of the sides, and below them begin the tools.
+  const float below = shown.compare.on ? theme.px(28) : 0,
+              beside = shown.compare.on ? toolStripWidth(theme, lo, hi) : 0;
+  drawChip(theme, lo + vec2(theme.space(2) + beside, theme.space(2) + below), text, palette::kText);
   ui.trace.note("chip", text);
   const float height = theme.px(2);
   ImDrawList* draw = ImGui::GetWindowDrawList();

@@ -73,7 +73,7 @@ std::array<bool, kCount> fitting(const Bar& bar, float room) {
       if (part.priority != priority || (part.wanted && !part.wanted(bar))) continue;
       const float width =
           partWidth(theme, part) + (part.right && part.width == kSquare ? theme.px(2) : theme.space(2));
-      if (width > room) return shown;
+      if (width > room) continue;
       room -= width;
       shown[i] = true;
     }

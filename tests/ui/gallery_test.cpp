@@ -74,6 +74,38 @@ TEST_P(Gallery, EveryState) {
   shot("9-compare");
 }
 
+/// In the smallest window that is promised, at both scales.
+TEST(SmallWindow, DialogsFitAndPanelsAreThere) {
+  for (const char* scale : {"1", "2"}) {
+    SCOPED_TRACE(scale);
+    UiSession ui({1280, 720}, {std::string(PILEUS_SOURCE_DIR) + "/presets/default.json"},
+                 json{{"viewportResolution", 0.25}}, {}, {std::string("PILEUS_UI_SCALE=") + scale});
+    ASSERT_TRUE(ui.running()) << ui.log();
+    ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("picture"); }, 60));
+    const std::string name = std::string("small-") + scale;
+    ui.settle();
+    ui.screenshot(name + "-1-whole");
+    ui.key("ctrl+o");
+    ASSERT_TRUE(ui.waitRect("browser"));
+    ui.settle();
+    ui.screenshot(name + "-2-open");
+    const json r = ui.trace()["rects"]["browser"], ok = ui.trace()["rects"]["browser/ok"];
+    EXPECT_GE(r[1], 0) << r;
+    EXPECT_LE(r[3], 720) << r;
+    EXPECT_LE(ok[3], 720) << ok;
+    EXPECT_LE(r[2], 1280) << r;
+    ui.key("Escape");
+    ui.key("shift+F1");
+    ASSERT_TRUE(ui.waitRect("shortcuts/search"));
+    ui.screenshot(name + "-3-keys");
+    ui.key("Escape");
+    ui.click("menubar/File");
+    ui.settle();
+    ui.screenshot(name + "-4-menu");
+    ui.key("Escape");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Gallery, testing::ValuesIn(kLooks), [](const auto& which) {
   std::string name = which.param.name;
   std::replace(name.begin(), name.end(), '-', '_');

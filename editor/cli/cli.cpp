@@ -143,14 +143,23 @@ int run(int argc, char** argv, const EditorSide& editor) {
   keysCommand->add_flag("--markdown", keysMarkdown, "As docs/keyboard.md.");
 
   CompareOptions compare;
-  double maxRelMse = 0;
+  double maxRelMse = 0, maxScaledRelMse = 0;
   CLI::App* compareCommand = app.add_subcommand("compare", "Measure the difference of two EXR files.");
   compareCommand->add_option("a", compare.a, "Picture.")->required();
   compareCommand->add_option("b", compare.b, "Reference.")->required();
+  compareCommand->add_option("b2", compare.b2,
+                             "Other half of a noisy reference, independent of the first: scaled relMSE is "
+                             "without their noise then. B alone counts as both halves.");
   CLI::Option* bound = compareCommand
                            ->add_option("--max-relmse", maxRelMse,
                                         "Exit with 6 where relMSE is larger, or a pixel is not finite.")
                            ->check(CLI::NonNegativeNumber);
+  CLI::Option* scaledBound =
+      compareCommand
+          ->add_option("--max-scaled-relmse", maxScaledRelMse,
+                       "Exit with 6 where scaled relMSE is larger, a pixel of it is not finite, or the "
+                       "standard error of two halves is above a quarter of this.")
+          ->check(CLI::NonNegativeNumber);
 
   ShootoutArguments shootout;
   std::string shootoutSize;
@@ -249,6 +258,7 @@ int run(int argc, char** argv, const EditorSide& editor) {
   }
   if (*compareCommand) {
     if (bound->count()) compare.maxRelMse = maxRelMse;
+    if (scaledBound->count()) compare.maxScaledRelMse = maxScaledRelMse;
     return compareMain(compare);
   }
   if (*shootoutCommand) {

@@ -11,6 +11,7 @@
 #include "editor/cli/check.h"
 #include "editor/cli/compare.h"
 #include "editor/cli/info.h"
+#include "editor/cli/judge.h"
 #include "editor/cli/nodes.h"
 #include "editor/cli/render.h"
 #include "editor/cli/shootout.h"
@@ -143,14 +144,62 @@ int run(int argc, char** argv, const EditorSide& editor) {
   keysCommand->add_flag("--markdown", keysMarkdown, "As docs/keyboard.md.");
 
   CompareOptions compare;
-  double maxRelMse = 0;
+  double maxRelMse = 0, maxScaledRelMse = 0;
   CLI::App* compareCommand = app.add_subcommand("compare", "Measure the difference of two EXR files.");
   compareCommand->add_option("a", compare.a, "Picture.")->required();
   compareCommand->add_option("b", compare.b, "Reference.")->required();
+  compareCommand->add_option("b2", compare.b2,
+                             "Other half of a noisy reference, independent of the first: scaled relMSE is "
+                             "without their noise then. B alone counts as both halves.");
   CLI::Option* bound = compareCommand
                            ->add_option("--max-relmse", maxRelMse,
                                         "Exit with 6 where relMSE is larger, or a pixel is not finite.")
                            ->check(CLI::NonNegativeNumber);
+  CLI::Option* scaledBound =
+      compareCommand
+          ->add_option("--max-scaled-relmse", maxScaledRelMse,
+                       "Exit with 6 where scaled relMSE is larger, a pixel of it is not finite, or the "
+                       "standard error of two halves is above a quarter of this.")
+          ->check(CLI::NonNegativeNumber);
+
+  JudgeArguments judge;
+  std::string judgeSize;
+  int judgeBounces = 0;
+  double judgeBound = 0;
+  CLI::App* judgeCommand =
+      app.add_subcommand("judge", "Measure a graph's picture against an unbiased path tracer.");
+  judgeCommand->add_option("file", judge.file, "Graph file (.json); its first frame is rendered.")
+      ->required();
+  judgeCommand->add_option("--output", judge.output,
+                           "Name of the output node whose picture is judged, where there are several.");
+  judgeCommand->add_option("--size", judgeSize, "Picture size, WIDTHxHEIGHT; the file's by default.");
+  CLI::Option* bouncesGiven =
+      judgeCommand
+          ->add_option("--bounces", judgeBounces,
+                       "How often light scatters behind the first time, 0: single scattering, -1: without "
+                       "limit. By default what the picture claims: 0, of a path-traced one its own.")
+          ->check(CLI::Range(-1, 100000));
+  judgeCommand->add_option("--samples", judge.samples, "Paths a pixel of the judge, and of each order.")
+      ->check(CLI::Range(2, 1 << 20))
+      ->capture_default_str();
+  judgeCommand
+      ->add_option("--seconds", judge.seconds,
+                   "Ends the paths behind whole samples: half of it is the judge's, half the orders'. 0: no "
+                   "limit. The figures differ each time then.")
+      ->check(CLI::NonNegativeNumber);
+  CLI::Option* judgeBoundGiven =
+      judgeCommand
+          ->add_option(
+              "--max-relmse", judgeBound,
+              "Exit with 6 where scaled relMSE is larger, or its standard error is above a quarter of "
+              "this.")
+          ->check(CLI::NonNegativeNumber);
+  judgeCommand->add_option("-o,--out", judge.out,
+                           "EXR of the picture with layers: judge, difference (picture less judge), variance "
+                           "(of the judge's pixels), and by order of scattering order1, order2, order3_4, "
+                           "order5_8, order_more.");
+  judgeCommand->add_flag("--json", judge.json, "Machine-readable.");
+  judgeCommand->add_flag("--overwrite", judge.overwrite, "Replace an existing file.");
 
   ShootoutArguments shootout;
   std::string shootoutSize;
@@ -249,7 +298,15 @@ int run(int argc, char** argv, const EditorSide& editor) {
   }
   if (*compareCommand) {
     if (bound->count()) compare.maxRelMse = maxRelMse;
+    if (scaledBound->count()) compare.maxScaledRelMse = maxScaledRelMse;
     return compareMain(compare);
+  }
+  if (*judgeCommand) {
+    if (judgeCommand->count("--size"))
+      if (const std::string e = parseSize(judgeSize, judge.size); !e.empty()) return usageError(e);
+    if (bouncesGiven->count()) judge.bounces = judgeBounces;
+    if (judgeBoundGiven->count()) judge.maxRelMse = judgeBound;
+    return judgeMain(judge);
   }
   if (*shootoutCommand) {
     std::optional<ivec2> given;

@@ -1,6 +1,9 @@
 #include "editor/cli/graph_file.h"
 
+#include <algorithm>
 #include <cstdio>
+
+#include <fmt/ranges.h>
 
 #include "nodes/file/serialize.h"
 
@@ -17,6 +20,24 @@ Result<nodes::Graph> loadFaultless(const fs::path& file, const char* what) {
   }
   if (bad) return fail(Code::Input, "{}: not {} because of the errors above", file.string(), what);
   return std::move(loaded.graph);
+}
+
+Result<std::string> outputNode(const nodes::Graph& graph, const fs::path& file, const std::string& wanted) {
+  const std::vector<std::string> all = nodes::outputNodes(graph);
+  if (!wanted.empty()) {
+    if (std::find(all.begin(), all.end(), wanted) != all.end()) return wanted;
+    return fail(Code::Arguments, "--output: {} has no output node named '{}'{}", file.string(), wanted,
+                all.empty() ? "" : "; it has " + fmt::format("{}", fmt::join(all, ", ")));
+  }
+  if (all.empty())
+    return fail(Code::Input, "{}: has no output node (output.exr or output.view)", file.string());
+  std::vector<std::string> files;
+  for (const std::string& n : all)
+    if (nodes::findNode(graph, n)->type == "output.exr") files.push_back(n);
+  const std::vector<std::string>& candidates = files.empty() ? all : files;
+  if (candidates.size() == 1) return candidates.front();
+  return fail(Code::Arguments, "{}: has several output nodes ({}); choose one with --output", file.string(),
+              fmt::join(candidates, ", "));
 }
 
 DisplayChoice displayOf(const nodes::Graph& graph, const std::string& preferred) {

@@ -14,6 +14,11 @@ namespace pileus::cli {
 /// Input.
 Result<nodes::Graph> loadFaultless(const std::filesystem::path& file, const char* what);
 
+/// The output node that is meant: `wanted`, or the only one, an EXR output before a view. Error (Arguments):
+/// no such node, or several; Error (Input): none at all.
+Result<std::string> outputNode(const nodes::Graph& graph, const std::filesystem::path& file,
+                               const std::string& wanted);
+
 /// Of a view node; the configuration's defaults without one.
 struct DisplayChoice {
   std::string display, view;  ///< "" = the configuration's default

@@ -9,8 +9,6 @@
 #include <set>
 #include <thread>
 
-#include <fmt/ranges.h>
-
 #include "editor/cli/graph_file.h"
 #include "editor/cli/render_target.h"
 #include "nodes/declare/value.h"
@@ -68,25 +66,6 @@ Result<Graph> prepared(const RenderOptions& o) {
   }
   if (o.size) graph.settings.size = *o.size;
   return graph;
-}
-
-/// The node that `-o` stands for: an EXR output before a view.
-Result<std::string> outputNode(const Graph& graph, const RenderOptions& o) {
-  const std::vector<std::string> all = nodes::outputNodes(graph);
-  if (!o.output.empty()) {
-    if (std::find(all.begin(), all.end(), o.output) != all.end()) return o.output;
-    return fail(Code::Arguments, "--output: {} has no output node named '{}'{}", o.file.string(), o.output,
-                all.empty() ? "" : "; it has " + fmt::format("{}", fmt::join(all, ", ")));
-  }
-  if (all.empty())
-    return fail(Code::Input, "{}: has no output node (output.exr or output.view)", o.file.string());
-  std::vector<std::string> files;
-  for (const std::string& n : all)
-    if (nodes::findNode(graph, n)->type == "output.exr") files.push_back(n);
-  const std::vector<std::string>& candidates = files.empty() ? all : files;
-  if (candidates.size() == 1) return candidates.front();
-  return fail(Code::Arguments, "{}: has several output nodes ({}); choose one with --output", o.file.string(),
-              fmt::join(candidates, ", "));
 }
 
 class Progress {
@@ -280,7 +259,7 @@ Result<void> writePicture(const Target& target, const fs::path& path, const imag
 
 Result<void> renderAll(const RenderOptions& o) {
   PILEUS_TRY(const Graph graph, prepared(o));
-  PILEUS_TRY(const std::string target, outputNode(graph, o));
+  PILEUS_TRY(const std::string target, outputNode(graph, o.file, o.output));
   const fs::path folder = fs::absolute(o.file).parent_path();
   const ivec3 frames = o.framesGiven ? o.frames : ivec3(graph.settings.frames, 1);
   PILEUS_TRY(const int count, countOf(frames));

@@ -46,6 +46,32 @@ Result<std::string> chooseRender(const nodes::Graph& graph, const fs::path& file
   return any;
 }
 
+/// Until it is complete. Warnings of nodes are printed.
+Result<void> evaluate(nodes::Evaluator& evaluator, const nodes::Graph& graph, const std::string& node,
+                      nodes::EvalSettings settings, const std::string& doing) {
+  settings.budgetMs = 250;
+  MeasureProgress progress;
+  for (nodes::EvalReport r; !r.complete;) {
+    if (interrupted()) return fail(Code::Cancelled, "cancelled");
+    r = evaluator.evaluate(graph, {node}, settings);
+    progress.show(r.fraction, doing);
+    if (r.waitingForJobs) std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+  progress.finish();
+  for (const auto& [name, made] : graph.nodes) {
+    const nodes::NodeStatus& s = evaluator.status(name);
+    for (const std::string& w : s.warnings) fmt::print(stderr, "pileus: warning: {}: {}\n", name, w);
+    if (s.state == nodes::NodeState::Failed) return s.error;
+  }
+  return {};
+}
+
+void catchSignals() {
+  stopped = 0;
+  ::signal(SIGINT, onSignal);
+  ::signal(SIGTERM, onSignal);
+}
+
 }  // namespace
 
 Result<view::RenderScene> sceneOf(view::Renderer& renderer, const nodes::Graph& graph,
@@ -56,21 +82,8 @@ Result<view::RenderScene> sceneOf(view::Renderer& renderer, const nodes::Graph& 
   settings.frame = graph.settings.frames.x;
   settings.size = glm::max(graph.settings.size / std::max(1, graph.settings.size.x / 64), ivec2(1));
   settings.folder = fs::absolute(file).parent_path();
-  settings.budgetMs = 250;
   nodes::Evaluator evaluator(&renderer);
-  MeasureProgress progress;
-  for (nodes::EvalReport r; !r.complete;) {
-    if (interrupted()) return fail(Code::Cancelled, "cancelled");
-    r = evaluator.evaluate(graph, {renderNode}, settings);
-    progress.show(r.fraction, "Evaluating " + renderNode);
-    if (r.waitingForJobs) std::this_thread::sleep_for(std::chrono::milliseconds(3));
-  }
-  progress.finish();
-  for (const auto& [name, node] : graph.nodes) {
-    const nodes::NodeStatus& s = evaluator.status(name);
-    for (const std::string& w : s.warnings) fmt::print(stderr, "pileus: warning: {}: {}\n", name, w);
-    if (s.state == nodes::NodeState::Failed) return s.error;
-  }
+  PILEUS_CHECK(evaluate(evaluator, graph, renderNode, settings, "Evaluating " + renderNode));
   const nodes::SocketValue* value = evaluator.output(renderNode, "image");
   const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
   if (!image || !image->picture || !image->picture->scene)
@@ -89,15 +102,37 @@ Result<view::RenderScene> sceneOf(view::Renderer& renderer, const nodes::Graph& 
 }
 
 Result<SceneFile> openScene(const fs::path& file, const std::string& renderNode) {
-  stopped = 0;
-  ::signal(SIGINT, onSignal);
-  ::signal(SIGTERM, onSignal);
+  catchSignals();
   SceneFile out;
   PILEUS_TRY(out.graph, loadFaultless(file, "measured"));
   PILEUS_TRY(out.renderNode, chooseRender(out.graph, file, renderNode));
   PILEUS_TRY(out.context, gl::HeadlessContext::create());
   PILEUS_TRY(out.renderer, view::Renderer::create());
   PILEUS_TRY(out.scene, sceneOf(*out.renderer, out.graph, out.renderNode, file));
+  return out;
+}
+
+Result<PictureFile> openPicture(const fs::path& file, const std::string& output, std::optional<ivec2> size) {
+  catchSignals();
+  PictureFile out;
+  PILEUS_TRY(out.graph, loadFaultless(file, "judged"));
+  if (size) out.graph.settings.size = *size;
+  PILEUS_TRY(out.output, outputNode(out.graph, file, output));
+  PILEUS_TRY(out.context, gl::HeadlessContext::create());
+  PILEUS_TRY(out.renderer, view::Renderer::create());
+  nodes::EvalSettings settings;
+  settings.frame = out.graph.settings.frames.x;
+  settings.size = out.graph.settings.size;
+  settings.folder = fs::absolute(file).parent_path();
+  nodes::Evaluator evaluator(out.renderer.get());
+  PILEUS_CHECK(evaluate(evaluator, out.graph, out.output, settings, "Rendering " + out.output));
+  const nodes::SocketValue* value = evaluator.input(out.output, "image");
+  const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
+  if (!image || !image->picture) return fail(Code::Input, "{}.image: no picture arrives", out.output);
+  if (!image->picture->scene)
+    return fail(Code::Input, "{}.image: the picture was made from others; link a render node to be judged",
+                out.output);
+  out.picture = image->picture;
   return out;
 }
 

@@ -24,7 +24,7 @@ double distance(float a, float b) {
   return same ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-Result<void> checkComparable(const Image& a, const Image& b) {
+Result<void> checkSameSize(const Image& a, const Image& b) {
   if (a.size != b.size)
     return fail(Code::Input, "the pictures differ in size: {} x {} and {} x {}", a.size.x, a.size.y, b.size.x,
                 b.size.y);
@@ -33,6 +33,11 @@ Result<void> checkComparable(const Image& a, const Image& b) {
                 a.dataOrigin.y, b.dataOrigin.x, b.dataOrigin.y);
   if (a.layers.empty() || b.layers.empty())
     return fail(Code::Input, "a picture without layers cannot be compared");
+  return {};
+}
+
+Result<void> checkComparable(const Image& a, const Image& b) {
+  PILEUS_CHECK(checkSameSize(a, b));
   const auto missing = [](const Image& one, const Image& other, const char* which) -> Result<void> {
     for (const Layer& layer : one.layers) {
       const Layer* twin = other.layer(layer.name);
@@ -95,6 +100,20 @@ std::optional<double> relativeMse(const Layer& a, const Layer& b, bool covered) 
   return sum / static_cast<double>(count);
 }
 
+/// Of the mean of values that come in groups: sums and numbers of each (Cochran 1977, 6.3: a ratio of sums
+/// over clusters). Infinite for a single group.
+double standardErrorOf(const std::vector<double>& sums, const std::vector<double>& counts) {
+  double sum = 0, count = 0, groups = 0, squares = 0;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    sum += sums[i], count += counts[i], groups += counts[i] > 0 ? 1 : 0;
+  if (groups < 2) return std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double off = sums[i] - counts[i] * (sum / count);
+    squares += off * off;
+  }
+  return std::sqrt(groups / (groups - 1) * squares) / count;
+}
+
 }  // namespace
 
 Result<Difference> compare(const Image& a, const Image& b) {
@@ -118,6 +137,61 @@ Result<Difference> compare(const Image& a, const Image& b) {
   const auto covered = relativeMse(picture, reference, true);
   // A wholly transparent reference must not make everything equal to it.
   out.relMse = covered ? *covered : relativeMse(picture, reference, false).value_or(0.0);
+  return out;
+}
+
+Result<ScaledRelMse> scaledRelMse(const Image& a, const Image& b1, const Image& b2) {
+  PILEUS_CHECK(checkSameSize(a, b1));
+  PILEUS_CHECK(checkSameSize(a, b2));
+  const Layer &p = beauty(a), &q1 = beauty(b1), &q2 = beauty(b2);
+  const int colors = std::min(p.channels, 3);
+  for (const Layer* q : {&q1, &q2})
+    if (std::min(q->channels, 3) != colors)
+      return fail(Code::Input, "the pictures have {} and {} colours", colors, std::min(q->channels, 3));
+  const std::size_t pixels = p.pixels.size() / static_cast<std::size_t>(p.channels);
+  const auto value = [](const Layer& layer, std::size_t pixel, int c) {
+    return double(
+        layer.pixels[pixel * static_cast<std::size_t>(layer.channels) + static_cast<std::size_t>(c)]);
+  };
+  ScaledRelMse out;
+  std::vector<std::size_t> counting;  // an alpha that is no number counts, and is found below
+  for (std::size_t i = 0; i < pixels; ++i)
+    if (p.channels != 4 || !(p.pixels[4 * i + 3] <= 0.01f)) counting.push_back(i);
+  out.pixels = counting.size();
+  if (counting.empty()) return fail(Code::Input, "no pixel of the picture has an alpha above 0.01");
+  bool finite = true;
+  for (const std::size_t i : counting) {
+    finite &= p.channels != 4 || std::isfinite(p.pixels[4 * i + 3]);
+    for (int c = 0; c < colors; ++c) {
+      out.meanA += value(p, i, c) / colors / double(out.pixels);
+      out.meanB += (value(q1, i, c) + value(q2, i, c)) / 2 / colors / double(out.pixels);
+    }
+  }
+  const double m = out.meanB;
+  if (out.meanA != m) out.ratio = out.meanA / m;
+
+  constexpr int kBlock = 4;
+  const int across = (a.size.x + kBlock - 1) / kBlock, down = (a.size.y + kBlock - 1) / kBlock;
+  const auto blocks = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+  std::vector<double> terms, sums(blocks), counts(blocks);
+  for (const std::size_t i : counting) {
+    double term = 0;
+    for (int c = 0; c < colors; ++c) {
+      const double x = value(p, i, c), y1 = value(q1, i, c), y2 = value(q2, i, c), y = (y1 + y2) / 2;
+      const double product = (x - y1) * (x - y2);
+      if (product != 0) term += product / (y * y + 0.01 * m * m) / colors;
+    }
+    const int column = static_cast<int>(i) % a.size.x, row = static_cast<int>(i) / a.size.x;
+    const auto block = static_cast<std::size_t>(row / kBlock * across + column / kBlock);
+    sums[block] += term, counts[block] += 1;
+    terms.push_back(term);
+    out.value += term / double(out.pixels);
+  }
+  out.standardError = standardErrorOf(sums, counts);
+  if (!std::isfinite(out.standardError))
+    out.standardError = standardErrorOf(terms, std::vector<double>(terms.size(), 1.0));
+  if (!finite || !std::isfinite(out.value))
+    out.value = out.standardError = std::numeric_limits<double>::infinity();
   return out;
 }
 

@@ -120,6 +120,7 @@ bool PathTracePass::enough() {
 void PathTracePass::finish() {
   done_ = true;
   const PathStatistics s = statistics();
+  picture_->metadata["pathTrace:bounces"] = std::to_string(options_.bounces);
   picture_->metadata["pathTrace:samples"] = std::to_string(s.samples);
   picture_->metadata["pathTrace:standardError"] = fmt::format("{:.6g}", s.standardError);
   picture_->metadata["pathTrace:endedBy"] = endedByTime_                          ? "time"
@@ -188,6 +189,7 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   program->set("sampleRange", ivec2(picture_->samples, roundEnd()));
   program->set("mostBounces", options_.bounces);
   program->set("orders", options_.orders);
+  program->set("firstPath", options_.firstPath);
   program->set("chances", vec2(float(options_.unshadowedShare), float(options_.mapFactor)));
   program->set("dispatchIndex", dispatched_++);
   program->set("budget", pace_.now);

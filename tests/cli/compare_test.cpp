@@ -46,6 +46,42 @@ TEST(Compare, TheBoundDecidesTheExitCode) {
   EXPECT_EQ(test::pileus({"compare", a.string(), a.string(), "--max-relmse", "0"}).exitCode, 0);
 }
 
+TEST(Compare, ScaledRelMseStandsOnASecondLineAndHasABoundOfItsOwn) {
+  const fs::path a = writePicture("a.exr", {8, 6}, 0.75f), b = writePicture("b.exr", {8, 6}, 0.5f),
+                 low = writePicture("low.exr", {8, 6}, 0.375f),
+                 high = writePicture("high.exr", {8, 6}, 0.625f);
+  // 0.25^2 / (0.5^2 + 0.01 0.5^2)
+  const auto alone = test::pileus({"compare", a.string(), b.string()});
+  EXPECT_EQ(alone.exitCode, 0) << alone.err;
+  EXPECT_NE(alone.out.find("\nscaled relMSE 0.247525 +- "), std::string::npos) << alone.out;
+  EXPECT_NE(alone.out.find(" (" + b.string() + " is both halves), ratio of means 1.5, 48 pixels\n"),
+            std::string::npos)
+      << alone.out;
+  // 0.375 0.125 / (the same)
+  const auto halves = test::pileus({"compare", a.string(), low.string(), high.string()});
+  EXPECT_EQ(halves.exitCode, 0) << halves.err;
+  EXPECT_NE(halves.out.find("scaled relMSE 0.185644 +- "), std::string::npos) << halves.out;
+  EXPECT_NE(halves.out.find(" (halves " + low.string() + " and " + high.string() + ")"), std::string::npos)
+      << halves.out;
+  const auto bounded = [&](const std::vector<std::string>& pictures, const char* bound) {
+    std::vector<std::string> arguments{"compare"};
+    arguments.insert(arguments.end(), pictures.begin(), pictures.end());
+    arguments.insert(arguments.end(), {"--max-scaled-relmse", bound});
+    return test::pileus(arguments);
+  };
+  EXPECT_EQ(bounded({a, b}, "0.25").exitCode, 0);
+  const auto exceeded = bounded({a, b}, "0.24");
+  EXPECT_EQ(exceeded.exitCode, 6);
+  EXPECT_EQ(exceeded.err, "pileus: scaled relMSE 0.247525 exceeds the bound 0.24\n");
+  EXPECT_EQ(bounded({a, low, high}, "0.186").exitCode, 0);
+  EXPECT_EQ(bounded({a, low, high}, "0.185").exitCode, 6);
+  EXPECT_EQ(bounded({a, a}, "0").exitCode, 0);
+  const fs::path other = writePicture("other.exr", {8, 7}, 0.5f);
+  const auto mismatched = bounded({a, b, other}, "1");
+  EXPECT_EQ(mismatched.exitCode, 3);
+  EXPECT_NE(mismatched.err.find(other.string()), std::string::npos) << mismatched.err;
+}
+
 TEST(Compare, ABoundHoldsForNoPictureWithNaNs) {
   // As other programs write them: in a file without compression the last value of the last row is its end.
   const fs::path path = writePicture("nan.exr", {8, 6}, 0.5f, image::Compression::None);

@@ -27,6 +27,7 @@ uniform int lightCount;
 uniform int solidCount;
 uniform ivec2 sampleRange;  // of this round: first, one behind the last
 uniform int dispatchIndex, budget;
+uniform int firstPath;      // number of sample 0's path
 uniform int mostBounces;    // vertices that scatter behind the first; what is beyond MOST_BOUNCES is counted
 uniform ivec2 orders;       // with ORDER: of them only from .. up to
 uniform vec2 chances;       // share of the choice by unshadowed power; factor of what maps say
@@ -85,7 +86,7 @@ void addGlow() {
 }
 
 void beginSample(ivec2 pixel, int s) {
-  seedPath(pixel, s);
+  seedPath(pixel, firstPath + s);
   vec3 u = random3();
   pathWeight = vec3(1.0), pathRatio = vec3(1.0), pathGlow = vec3(0.0);
   pathChannel = min(int(3.0 * u.z), 2);
@@ -380,7 +381,7 @@ int keepFlags() {
 }
 
 void load(PathState k, ivec2 pixel) {
-  seedPath(pixel, k.counts.x);
+  seedPath(pixel, firstPath + k.counts.x);
   pathDraws = uint(k.counts.y);
   bounces = k.counts.z;
   pathChannel = k.counts.w / kChannel & 3;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace pileus::image {
 namespace {
@@ -126,6 +127,146 @@ TEST(Metrics, MismatchedPicturesAreRefused) {
       ASSERT_FALSE(d);
       EXPECT_EQ(d.error().code, Code::Input);
     }
+  }
+}
+
+/// A picture of one colour with an error of its own at each pixel, `d` of it up or down, and noise in the
+/// halves; what `blocks` is true for is the same in each 2 x 2 pixels.
+struct Noisy {
+  Image a, b1, b2;
+};
+Noisy noisy(std::mt19937& random, ivec2 size, double d, double noise, bool blocks) {
+  std::normal_distribution<double> normal;
+  std::bernoulli_distribution up;
+  Noisy out{constant(size, {1, 1, 1, 1}), constant(size, {1, 1, 1, 1}), constant(size, {1, 1, 1, 1})};
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const auto at = static_cast<std::size_t>(y * size.x + x) * 4;
+      const bool copied = blocks && (x % 2 == 1 || y % 2 == 1);
+      const auto from = static_cast<std::size_t>(y / 2 * 2 * size.x + x / 2 * 2) * 4;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto put = [&](Image& image, double value) {
+          std::vector<float>& p = image.layers[0].pixels;
+          p[at + c] = copied ? p[from + c] : static_cast<float>(value);
+        };
+        put(out.a, up(random) ? 1 + d : 1 - d);
+        put(out.b1, 1 + noise * normal(random));
+        put(out.b2, 1 + noise * normal(random));
+      }
+    }
+  return out;
+}
+
+TEST(ScaledRelMse, ClosedCases) {
+  const Image b = constant({8, 8}, {0.5f, 0.25f, 0.75f, 1}), a = constant({8, 8}, {0.75f, 0.25f, 0.75f, 1});
+  const double m = 0.5;  // over all channels
+  auto s = scaledRelMse(a, b, b);
+  ASSERT_TRUE(s) << s.error().message;
+  EXPECT_NEAR(s->value, 0.0625 / (0.25 + 0.01 * m * m) / 3, 1e-12);
+  EXPECT_NEAR(s->standardError, 0, 1e-12) << "every block is the same";
+  EXPECT_NEAR(s->ratio, (0.75 + 0.25 + 0.75) / 1.5, 1e-12);
+  EXPECT_EQ(s->pixels, 64u);
+  // Halves on either side of the picture: the product is below 0.
+  const auto between = scaledRelMse(constant({8, 8}, {1, 1, 1, 1}), constant({8, 8}, {1.5f, 1.5f, 1.5f, 1}),
+                                    constant({8, 8}, {0.5f, 0.5f, 0.5f, 1}));
+  EXPECT_NEAR(between->value, -0.25 / 1.01, 1e-12);
+  EXPECT_EQ(between->ratio, 1);
+  // Twice as bright: the same.
+  const auto brighter =
+      scaledRelMse(constant({8, 8}, {1.5f, 0.5f, 1.5f, 1}), constant({8, 8}, {1, 0.5f, 1.5f, 1}),
+                   constant({8, 8}, {1, 0.5f, 1.5f, 1}));
+  EXPECT_NEAR(brighter->value, s->value, 1e-12);
+}
+
+TEST(ScaledRelMse, AlphaOfThePictureDecidesWhatCounts) {
+  const Image b = constant({4, 1}, {1, 1, 1, 0});
+  Image a = constant({4, 1}, {1, 1, 1, 1});
+  a.layers[0].pixels[7] = 0.01f, a.layers[0].pixels[4] = 9;  // not above the bound
+  auto s = scaledRelMse(a, b, b);
+  ASSERT_TRUE(s);
+  EXPECT_EQ(s->pixels, 3u);
+  EXPECT_EQ(s->value, 0);
+  EXPECT_EQ(s->ratio, 1);
+  // One block: from the spread of its pixels. One of three is off by 2 in one channel of three.
+  a.layers[0].pixels[0] = 3;
+  s = scaledRelMse(a, b, b);
+  const double term = 4 / 1.01 / 3, mean = term / 3;
+  EXPECT_NEAR(s->value, mean, 1e-12);
+  EXPECT_NEAR(s->standardError, std::sqrt(3.0 / 2 * ((term - mean) * (term - mean) + 2 * mean * mean)) / 3,
+              1e-12);
+  EXPECT_TRUE(std::isinf(scaledRelMse(constant({1, 1}, {1, 1, 1, 1}), constant({1, 1}, {1, 1, 1, 1}),
+                                      constant({1, 1}, {1, 1, 1, 1}))
+                             ->standardError));
+  // Without alpha all of them count; black on black is no error.
+  const Image grey = constant({3, 2}, {0.0f});
+  s = scaledRelMse(grey, grey, grey);
+  EXPECT_EQ(s->pixels, 6u);
+  EXPECT_EQ(s->value, 0);
+  EXPECT_EQ(s->ratio, 1);
+}
+
+TEST(ScaledRelMse, WhatCannotBeMeasuredIsRefused) {
+  const Image a = constant({4, 4}, {1, 1, 1, 1}), none = constant({4, 4}, {1, 1, 1, 0.01f});
+  Image moved = a;
+  moved.dataOrigin = {1, 0};
+  for (const Image& b : {constant({4, 5}, {1, 1, 1, 1}), constant({4, 4}, {1}), moved})
+    for (const auto& s : {scaledRelMse(a, b, a), scaledRelMse(a, a, b), scaledRelMse(b, a, a)}) {
+      ASSERT_FALSE(s);
+      EXPECT_EQ(s.error().code, Code::Input);
+    }
+  EXPECT_FALSE(scaledRelMse(none, a, a));
+  for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity()})
+    for (const std::size_t at : {17u, 19u}) {  // a colour and an alpha
+      Image broken = a;
+      broken.layers[0].pixels[at] = bad;
+      const auto s = scaledRelMse(broken, a, a);
+      ASSERT_TRUE(s);
+      EXPECT_FALSE(s->value <= 1e30);
+    }
+}
+
+// Errors of 10 % and halves with 1 % of noise: compared with one half, 1e-4 would be added to 1e-2; with the
+// mean of both, 0.5e-4. The product has neither.
+TEST(ScaledRelMse, NoiseDropsOutOfTheMean) {
+  std::mt19937 random(1);
+  const double right = 0.01 / 1.01;
+  double sum = 0, variance = 0, naive = 0;
+  constexpr int kPictures = 40;
+  for (int i = 0; i < kPictures; ++i) {
+    const Noisy n = noisy(random, {48, 48}, 0.1, 0.01, false);
+    const auto s = scaledRelMse(n.a, n.b1, n.b2), same = scaledRelMse(n.a, n.b1, n.b1);
+    ASSERT_TRUE(s);
+    sum += s->value / kPictures, naive += same->value / kPictures;
+    variance += s->standardError * s->standardError / (kPictures * kPictures);
+  }
+  const double error = std::sqrt(variance);
+  std::printf("  %.7f +- %.7f, right %.7f; with one half twice %.7f\n", sum, error, right, naive);
+  EXPECT_NEAR(sum, right, 4 * error);
+  EXPECT_LT(4 * error, 0.25e-4) << "fine enough to tell";
+  EXPECT_GT(naive, right + 0.5e-4);
+}
+
+// How often the right value lies within one and two standard errors, also where neighbours share their noise.
+TEST(ScaledRelMse, TheStandardErrorIsOne) {
+  for (const bool blocks : {false, true}) {
+    std::mt19937 random(2);
+    const double right = 0.01 / 1.01;
+    int within1 = 0, within2 = 0;
+    constexpr int kPictures = 400;
+    double squares = 0;
+    for (int i = 0; i < kPictures; ++i) {
+      const Noisy n = noisy(random, {32, 32}, 0.1, 0.03, blocks);
+      const auto s = scaledRelMse(n.a, n.b1, n.b2);
+      const double off = (s->value - right) / s->standardError;
+      within1 += std::abs(off) < 1 ? 1 : 0, within2 += std::abs(off) < 2 ? 1 : 0;
+      squares += off * off / kPictures;
+    }
+    std::printf("  %s: %d and %d of %d within 1 and 2, root mean square %.3f\n",
+                blocks ? "shared by 2 x 2" : "each its own", within1, within2, kPictures, std::sqrt(squares));
+    // 68.3 and 95.4 %, four standard deviations of a count; 64 blocks are a t distribution, all but normal.
+    EXPECT_NEAR(within1, 0.683 * kPictures, 4 * std::sqrt(0.683 * 0.317 * kPictures));
+    EXPECT_NEAR(within2, 0.954 * kPictures, 4 * std::sqrt(0.954 * 0.046 * kPictures));
+    EXPECT_NEAR(std::sqrt(squares), 1, 0.15);
   }
 }
 

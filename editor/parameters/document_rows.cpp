@@ -90,8 +90,8 @@ void colourFile(const ParameterRoom& room) {
   toWidget(f);
   std::string text = current;
   const float button = ImGui::GetFrameHeight() + room.ui.theme.px(2);
-  if (textField(room.session, room.parameters, "setting.ocio", text, f.width - button,
-                "$OCIO, or shipped", &kinds))
+  if (textField(room.session, room.parameters, "setting.ocio", text, f.width - button, "$OCIO, or shipped",
+                &kinds))
     setColours(room.session, room.shown, expandedHome(text));
   room.ui.trace.item("setting/ocio");
   ImGui::SameLine(0, room.ui.theme.px(2));

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNoon = 50, kEvening = 80;
+constexpr int kNoon = 50, kEvening = 75;
 
 /// A map of several MiB, so that what is kept fills its room before noon.
 fs::path graphFile(const std::string& name, int density) {
@@ -21,7 +21,7 @@ fs::path graphFile(const std::string& name, int density) {
     "Map": { "type": "shadow.extinction", "at": [300, 150], "params": { "storage": "float" } },
     "Render": { "type": "render.volume", "at": [560, 0], "params": { "samples": 1 } },
     "View": { "type": "output.view", "at": [820, 0] } },
-  "links": [ "Box.volume -> Map.volumes", "Cloud.volume -> Map.volumes", "Sun.light -> Map.light",
+  "links": [ "Box.volume -> Map.volumes", "Sun.light -> Map.light",
              "Box.volume -> Render.volumes", "Cloud.volume -> Render.volumes", "Map.light -> Render.lights",
              "Render.image -> View.image" ] })";
   return file;

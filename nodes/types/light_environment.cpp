@@ -33,7 +33,7 @@ void describe(Describe<In, Out>& d) {
       .file("exr,hdr")
       .help("The picture. Its middle column shows azimuth 0, its top row straight up.");
   d.in("colorspace", &In::colorspace)
-      .label("Color space")
+      .label("Colour space")
       .help(
           "Of the file, by its name in the colour configuration ($OCIO, else the shipped one). Empty: linear "
           "Rec. 709.");

@@ -51,7 +51,7 @@ void describe(Describe<In, Out>& d) {
       .soft(0, 20)
       .help("sigma_t per unit of density.");
   d.in("extinction_color", &In::extinction_color)
-      .label("Extinction color")
+      .label("Extinction colour")
       .range(0, 100)
       .soft(0, 1)
       .help(

@@ -191,8 +191,8 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   program->set("orders", options_.orders);
   program->set("firstPath", options_.firstPath);
   program->set("chances", vec2(float(options_.unshadowedShare), float(options_.mapFactor)));
-  program->set("dispatchIndex", dispatched_++);
-  program->set("budget", pace_.now);
+  program->set("pathDispatch", dispatched_++);
+  program->set("pathBudget", pace_.now);
   const ivec2 from = run_.cursor.origin(), to = run_.cursor.end(), extent = to - from;
   PILEUS_CHECK(states_.reserve(kHead + std::size_t(extent.x) * std::size_t(extent.y) * PATH_STATE_BYTES));
   const ivec4 none(0);

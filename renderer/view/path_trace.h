@@ -37,7 +37,7 @@ struct PathOptions {
   double noise = 0;    ///< ends where sqrt(mean variance of pixel means)/mean is below it; 0: no limit
   ShadowEstimate transmittance = ShadowEstimate::Series;
   ivec2 orders{0, 1 << 30};  ///< only what has scattered so often less one
-  int firstPath = 0;         ///< number of the first sample's path: pictures whose paths differ are independent
+  int firstPath = 0;  ///< number of the first sample's path: pictures whose paths differ are independent
   // For tests: what must not change a mean.
   double majorantScale = 1;
   double mapFactor = -1;         ///< instead of what maps say in the choice of lights; < 0: what they say

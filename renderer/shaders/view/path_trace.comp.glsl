@@ -26,7 +26,7 @@ layout(rgba32f, binding = IMAGE_ODD) uniform image2D oddImage;
 uniform int lightCount;
 uniform int solidCount;
 uniform ivec2 sampleRange;  // of this round: first, one behind the last
-uniform int dispatchIndex, budget;
+uniform int pathDispatch, pathBudget;
 uniform int firstPath;      // number of sample 0's path
 uniform int mostBounces;    // vertices that scatter behind the first; what is beyond MOST_BOUNCES is counted
 uniform ivec2 orders;       // with ORDER: of them only from .. up to
@@ -44,14 +44,14 @@ struct PathState {
   ivec4 counts;             // sample, draws, bounces, flags
 };
 layout(std430, binding = BIND_PATH_STATES) buffer PathStates {
-  int unfinished, above, tooLong, unused_;
-  PathState states[];
+  int pathsLeft, above, tooLong, spare_;
+  PathState pathStates[];
 };
 const int kMeasures = 1, kChannel = 2, kFinished = 8, kLight = 16;
 
 int work = 0;
 void spendWork(int iterations) { work += iterations; }
-bool workIsLeft() { return work < budget; }
+bool workIsLeft() { return work < pathBudget; }
 
 // Of the path.
 Flight flight;
@@ -411,18 +411,18 @@ void save(int slot, int s, bool finished) {
   k.radiance = radiance;
   k.next = vec4(nextDirection, nextDensity), k.nextWeight = vec4(nextWeight, flight.at);
   k.counts = ivec4(s, int(pathDraws), bounces, keepFlags() | (finished ? kFinished : 0));
-  states[slot] = k;
+  pathStates[slot] = k;
 }
 
 void main() {
   ivec2 pixel = regionPixel();
   if (!inRegion(pixel)) return;
   int slot = regionSlot(pixel), s = sampleRange.x;
-  if (dispatchIndex == 0) {
+  if (pathDispatch == 0) {
     beginSample(pixel, s);
     findEnd();
   } else {
-    PathState k = states[slot];
+    PathState k = pathStates[slot];
     if ((k.counts.w & kFinished) != 0) return;
     s = k.counts.x;
     load(k, pixel);
@@ -441,6 +441,6 @@ void main() {
   } while (!finished && workIsLeft());
   addGlow();
   save(slot, s, finished);
-  if (!finished) atomicAdd(unfinished, 1);
+  if (!finished) atomicAdd(pathsLeft, 1);
   if (violations > 0) atomicAdd(above, violations);
 }

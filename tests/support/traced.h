@@ -31,6 +31,7 @@ inline Traced traced(const view::RenderScene& scene, const view::PathOptions& op
   }
   Traced out;
   out.statistics = pass.statistics();
+  if (auto r = view::readBack(*pass.picture()); !r) ADD_FAILURE() << r.error().message;
   out.picture = view::readBack(*pass.picture()).value();
   out.variance = view::readBack(**pass.variance()).value();
   const std::vector<float>&p = out.picture.layers[0].pixels, &v = out.variance.layers[0].pixels;

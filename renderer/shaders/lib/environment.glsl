@@ -34,7 +34,7 @@ float environmentDensity(ivec2 at) {
   vec4 row = environmentRow(at.y);
   float chance = row.x - (at.y > 0 ? environmentRow(at.y - 1).x : 0.0);
   float within = environmentAt(at).w - (at.x > 0 ? environmentAt(at - ivec2(1, 0)).w : 0.0);
-  return chance * within / row.y;
+  return chance > 0.0 ? chance * within / row.y : 0.0;
 }
 
 // A direction and its texel.

@@ -114,7 +114,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
   }
   vec3 u = random3();
   float reach = f.left / max(most, 1e-30);
-  bool tentative = s.at + reach < until;
+  bool tentative = most > 0.0 && s.at + reach < until;
   float to = tentative ? s.at + reach : min(until, s.span);
   // Somewhere in the piece: what is emitted there stands for all of it.
   float glowing = mix(s.at, to, u.y);

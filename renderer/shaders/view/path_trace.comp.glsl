@@ -47,7 +47,7 @@ layout(std430, binding = BIND_PATH_STATES) buffer PathStates {
   int pathsLeft, above, tooLong, spare_;
   PathState pathStates[];
 };
-const int kMeasures = 1, kChannel = 2, kFinished = 8, kLight = 16;
+const int kMeasures = 1, kChannel = 2, kPathDone = 8, kLight = 16;
 
 int work = 0;
 void spendWork(int iterations) { work += iterations; }
@@ -410,7 +410,7 @@ void save(int slot, int s, bool finished) {
   k.weight = vec4(pathWeight, density), k.ratio = vec4(pathRatio, sky);
   k.radiance = radiance;
   k.next = vec4(nextDirection, nextDensity), k.nextWeight = vec4(nextWeight, flight.at);
-  k.counts = ivec4(s, int(pathDraws), bounces, keepFlags() | (finished ? kFinished : 0));
+  k.counts = ivec4(s, int(pathDraws), bounces, keepFlags() | (finished ? kPathDone : 0));
   pathStates[slot] = k;
 }
 
@@ -423,7 +423,7 @@ void main() {
     findEnd();
   } else {
     PathState k = pathStates[slot];
-    if ((k.counts.w & kFinished) != 0) return;
+    if ((k.counts.w & kPathDone) != 0) return;
     s = k.counts.x;
     load(k, pixel);
   }

@@ -36,7 +36,7 @@ TEST(PathSlabs, FluxesOfPublishedTables) {
     for (const bool reflected : {true, false}) {
       const double right = reflected ? s.reflected : s.through;
       // Half of the samples of a flux of one half are 0: 1/(4 n) of variance at most.
-      const test::Traced t = test::traced(slab(s, reflected, 128));
+      const test::Traced t = test::traced(slab(s, reflected, 160));
       test::expectMean(t, right, std::max(0.003 * right, 0.0015),
                        fmt::format("{}: {}", s.what, reflected ? "R" : "T"));
     }

@@ -18,12 +18,12 @@ view::RenderScene furnace(const volume::InstanceList& volumes, int samples, ivec
 
 void expectOne(const test::Traced& t, const std::string& what) {
   test::expectMean(t, 1, 0.002, what);
-  // Pixel by pixel, unless all but a few samples of one are exactly 1.
-  if (t.grayError() < 3.5e-4) return;
+  // Pixel by pixel, where a fifth of the samples scattered: all others are exactly 1, and of a few the spread
+  // is not known.
   const std::vector<float>&p = t.picture.layers[0].pixels, &v = t.variance.layers[0].pixels;
   int beyond3 = 0, beyond6 = 0, pixels = 0;
   for (std::size_t i = 0; i < p.size(); i += 4) {
-    if (v[i] <= 0) continue;
+    if (v[i] <= 0 || p[i + 3] < 0.2f) continue;
     const double z = (double(p[i]) - 1) / std::sqrt(double(v[i]));
     ++pixels, beyond3 += std::abs(z) > 3, beyond6 += std::abs(z) > 6;
   }

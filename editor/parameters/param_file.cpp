@@ -16,6 +16,8 @@
 namespace pileus::editor {
 namespace {
 
+const std::vector<std::string> kVdb{"vdb"};
+
 namespace fs = std::filesystem;
 
 void browse(const ParamWidget& w) {
@@ -28,7 +30,7 @@ void browse(const ParamWidget& w) {
       w.state.mixed() ? fs::path() : absoluteFile(room.session, std::get<std::string>(w.state.value));
   request.sequences =
       w.target.spec->help.find('#') != std::string::npos;  // the node says that it reads patterns
-  if (!w.target.spec->fileKinds.empty()) request.kinds = {w.target.spec->fileKinds};
+  request.kinds = w.target.spec->fileKinds;
   request.done = [room, target = w.target](const fs::path& path) {
     setParamValue(room, target, path.string());
   };
@@ -55,7 +57,7 @@ fs::path vdbOf(const Session& session, const Clock& clock, const ParamWidget& w)
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   if (!type) return {};
   for (const nodes::ParamSpec& spec : type->params)
-    if (spec.type == nodes::ParamType::File && spec.fileKinds == "vdb" && !spec.writes)
+    if (spec.type == nodes::ParamType::File && spec.fileKinds == kVdb && !spec.writes)
       return absoluteFile(session, std::get<std::string>(nodes::paramValue(*node, spec, clock.frame)));
   return {};
 }
@@ -95,8 +97,7 @@ void drawFile(const ParamWidget& w) {
   const std::string shown = text;
   const float each = ImGui::GetFrameHeight() + room.ui.theme.px(2);
   const bool clearable = !shown.empty() || w.state.mixed();
-  std::vector<std::string> kinds;
-  if (!w.target.spec->fileKinds.empty()) kinds = {w.target.spec->fileKinds};
+  std::vector<std::string> kinds = w.target.spec->fileKinds;
   const char* hint = w.state.mixed() ? "\xe2\x80\x93" : w.target.spec->writes ? "no file" : "no file chosen";
   if (textField(room.session, room.parameters, w.target.key(), text, w.width - (clearable ? 2 : 1) * each,
                 hint, &kinds))
@@ -126,7 +127,7 @@ void drawFile(const ParamWidget& w) {
 bool isGridName(const nodes::NodeType& type, const nodes::ParamSpec& spec) {
   return spec.type == nodes::ParamType::Text && spec.id.ends_with("grid") &&
          std::any_of(type.params.begin(), type.params.end(), [](const nodes::ParamSpec& p) {
-           return p.type == nodes::ParamType::File && p.fileKinds == "vdb";
+           return p.type == nodes::ParamType::File && p.fileKinds == kVdb;
          });
 }
 

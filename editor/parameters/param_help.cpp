@@ -1,6 +1,6 @@
 #include "editor/parameters/param_help.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::string kindOf(const ParamSpec& s) {
     case ParamType::Text:
       return "text";
     case ParamType::File:
-      return s.fileKinds.empty() ? "file" : s.fileKinds + " file";
+      return s.fileKinds.empty() ? "file" : fmt::format("{} file", fmt::join(s.fileKinds, " or "));
     case ParamType::Enum:
       return "choice";
     case ParamType::Curve:

@@ -34,7 +34,7 @@ class ParamRow {
   ParamRow& socket() { return spec_->socket = true, *this; }
   /// For the editor alone: another value makes nothing anew.
   ParamRow& forEditor() { return spec_->forEditor = true, *this; }
-  ParamRow& file(std::string kinds, bool writes = false) {
+  ParamRow& file(std::vector<std::string> kinds, bool writes = false) {
     return spec_->fileKinds = std::move(kinds), spec_->writes = writes, *this;
   }
 

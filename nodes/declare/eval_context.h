@@ -21,8 +21,16 @@ class EvalContext {
  public:
   /// `uses`: what the type declares.
   EvalContext(const EvalSettings& settings, view::Renderer* renderer, std::any& state, const Key& key,
-              const Stopwatch& clock, unsigned uses = UsesNothing)
-      : settings_(&settings), renderer_(renderer), state_(&state), key_(key), clock_(&clock), uses_(uses) {}
+              const Stopwatch& clock, unsigned uses = UsesNothing, std::any* lasting = nullptr)
+      : settings_(&settings),
+        renderer_(renderer),
+        state_(&state),
+        lasting_(lasting ? lasting : &own_),
+        key_(key),
+        clock_(&clock),
+        uses_(uses) {}
+  EvalContext(const EvalContext&) = delete;
+  EvalContext& operator=(const EvalContext&) = delete;
 
   // Parts of the context: only where the type declares them. To read another is noted as a fault of the type,
   // whose results would be kept for longer than they are true.
@@ -52,6 +60,14 @@ class EvalContext {
   State& state() {
     if (!state_->has_value()) *state_ = std::make_shared<State>();
     return *std::any_cast<std::shared_ptr<State>&>(*state_);
+  }
+
+  /// What this node keeps from one content key to the next, as long as it is in the graph: what its results
+  /// share that took long, with whatever tells for which parameters it is true.
+  template <class State>
+  State& lasting() {
+    if (!std::any_cast<std::shared_ptr<State>>(lasting_)) *lasting_ = std::make_shared<State>();
+    return **std::any_cast<std::shared_ptr<State>>(lasting_);
   }
 
   /// Milliseconds left of the budget; the first step of a call is always done, so that progress is made.
@@ -98,6 +114,7 @@ class EvalContext {
   const EvalSettings* settings_;
   view::Renderer* renderer_;
   std::any* state_;
+  std::any own_, *lasting_;
   Key key_;
   const Stopwatch* clock_;
   unsigned uses_;

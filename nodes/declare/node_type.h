@@ -35,7 +35,7 @@ struct ParamSpec {
                                     ///< Ramp (its channels)
   bool logarithmic = false;         ///< drag in ratios
   std::vector<Choice> choices;      ///< Enum
-  std::string fileKinds;            ///< File: "vdb", "exr"
+  std::vector<std::string> fileKinds;  ///< File: "vdb", "exr"; none: any
   bool writes = false;     ///< File: an output, not an input (does not enter the content key with its stamp)
   DataRange data;          ///< Curve, Ramp
   bool socket = false;     ///< an input socket without being exposed

@@ -46,6 +46,7 @@ bool Evaluator::Impl::take(const Graph& given) {
   incoming.clear();
   for (const Link& link : flat.graph.links) incoming[link.toNode].push_back(&link);
   std::erase_if(lastGood, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
+  std::erase_if(lasting, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
   std::erase_if(statuses, [&](const auto& entry) { return !graph.nodes.contains(entry.first); });
   return true;
 }

@@ -40,6 +40,7 @@ struct Evaluator::Impl {
   std::map<std::string, NodeStatus> statuses;
   std::map<std::string, Run> runs;
   std::map<std::string, Values> lastGood;
+  std::map<std::string, std::any> lasting;  ///< EvalContext::lasting()
 
   std::function<bool()> letGo;
 

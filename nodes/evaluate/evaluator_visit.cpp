@@ -117,7 +117,7 @@ void Evaluator::Impl::passThrough(const NodeType& type, const NodeInputs& in, Ru
 /// One call of the node's evaluate(); nothing it throws gets past here.
 void Evaluator::Impl::step(const std::string& name, const NodeType& type, const NodeInputs& in,
                            CachedResult& result, const Key& key) {
-  EvalContext context(*settings, renderer, result.state, key, clock, type.uses);
+  EvalContext context(*settings, renderer, result.state, key, clock, type.uses, &lasting[name]);
   const Stopwatch watch;
   Result<std::vector<SocketValue>> values = fail(Code::Internal, "not evaluated");
   try {

@@ -3,6 +3,7 @@
 
 #include "nodes/declare/describe.h"
 #include "nodes/types/environment_common.h"
+#include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
 #include "renderer/image/environment_import.h"
 #include "renderer/scene/environment_suns.h"
@@ -30,7 +31,7 @@ void describe(Describe<In, Out>& d) {
       "whose data window is the map. Up to four bright discs become suns with shadows of their own; 'Path "
       "Trace' takes all of the rest, 'Volume Render' and shadow nodes sixteen suns that stand for it.");
   d.in("file", &In::file)
-      .file("exr,hdr")
+      .file({"exr", "hdr"})
       .help("The picture. Its middle column shows azimuth 0, its top row straight up.");
   d.in("colorspace", &In::colorspace)
       .label("Colour space")
@@ -54,7 +55,7 @@ void describe(Describe<In, Out>& d) {
 /// What a file comes to, whatever way it is turned and however bright.
 struct Read {
   std::vector<scene::Light> suns;
-  std::shared_ptr<const scene::Environment> rest;
+  scene::Environment rest;
   std::shared_ptr<const scene::EnvironmentStrata> strata;
   std::vector<std::string> warnings;
   ivec2 size{0};
@@ -65,34 +66,45 @@ Result<Read> readMap(const std::string& path, const std::string& colorspace, Job
   PILEUS_TRY(image::EnvironmentFile file, image::importEnvironment(path, control));
   PILEUS_TRY(const auto config, image::ColorConfig::load(""));
   read.size = file.map.size;
-  auto rest = std::make_shared<scene::Environment>();
-  PILEUS_TRY(rest->map, image::environmentFrom(std::move(file), colorspace, *config, read.warnings));
+  PILEUS_TRY(scene::EnvironmentMap map,
+             image::environmentFrom(std::move(file), colorspace, *config, read.warnings));
   if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
-  read.suns = scene::extractSuns(rest->map);
-  read.strata = std::make_shared<const scene::EnvironmentStrata>(rest->map);
-  read.rest = std::move(rest);
+  read.suns = scene::extractSuns(map);
+  read.rest = scene::environmentOf(std::move(map));
+  read.strata = std::make_shared<const scene::EnvironmentStrata>(*read.rest.map);
   return read;
 }
 
+/// Turning and brightening it reads nothing anew.
 struct Import {
-  std::unique_ptr<Job<Read>> job;
+  std::string path, colorspace;
+  Key stamp;
+  LooseJob<Read> job;
 };
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
-  auto& job = ctx.state<Import>().job;
-  if (!job)
-    job = std::make_unique<Job<Read>>([path = in.file.path, space = in.colorspace](JobControl& control) {
+  Import& import = ctx.lasting<Import>();
+  auto& job = import.job;
+  const Key stamp = fileStamp(in.file.path);
+  if (!job || import.path != in.file.path || import.colorspace != in.colorspace || import.stamp != stamp) {
+    import.path = in.file.path, import.colorspace = in.colorspace, import.stamp = stamp;
+    job = looseJob<Read>([path = in.file.path, space = in.colorspace](JobControl& control) {
       return readMap(path, space, control);
     });
+  }
   if (!job->done()) {
     ctx.pending(job->progress(), "Reading " + std::filesystem::path(in.file.path).filename().string());
     return Out{};
   }
-  if (!job->result()) return fail(job->result().error().code, "file: {}", job->result().error().message);
+  if (!job->result()) {
+    const Error error = job->result().error();
+    job.reset();
+    return Error{error.code, "file: " + error.message, error.passing};
+  }
   const Read& read = *job->result();
   for (const std::string& warning : read.warnings) ctx.warn(warning);
-  auto environment = std::make_shared<scene::Environment>(*read.rest);
+  auto environment = std::make_shared<scene::Environment>(read.rest);
   environment->rotation = in.rotation;
   environment->scale = in.tint.rgb * float(std::exp2(in.exposure));
   environment->visible = in.visible;

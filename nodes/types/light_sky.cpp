@@ -71,52 +71,74 @@ void describe(Describe<In, Out>& d) {
   d.out("sky", &Out::sky).help("The sky and the ground alone.");
 }
 
+/// What a sky comes to, wherever the sun stands to the north or south, and however bright it is shown.
 struct Made {
-  std::shared_ptr<const scene::Environment> environment;
+  std::shared_ptr<const scene::Atmosphere> atmosphere;  ///< its tables serve every hour and every height
+  scene::Environment environment;
   std::shared_ptr<const scene::EnvironmentStrata> strata;
   dvec3 sun{0};  ///< irradiance
 };
 
-Made make(const In& in) {
-  const scene::Air air{in.air, in.aerosol, in.ozone, in.ground_albedo};
-  const double height = std::clamp(in.altitude + in.height, 0.0, 0.99 * scene::kAirTop);
+struct Asked {
+  scene::Air air;
+  scene::Sky sky;
+
+  bool operator==(const Asked&) const = default;
+};
+
+Asked askedBy(const In& in) {
+  return {{in.air, in.aerosol, in.ozone, in.ground_albedo},
+          {in.elevation, in.irradiance, std::clamp(in.altitude + in.height, 0.0, 0.99 * scene::kAirTop)}};
+}
+
+/// `known`: an atmosphere that may be the one that is needed; or null.
+Made make(const Asked& a, const std::shared_ptr<const scene::Atmosphere>& known) {
   Made made;
-  auto e = std::make_shared<scene::Environment>();
-  e->map = scene::skyMap(scene::Atmosphere(air), {in.elevation, in.irradiance, height});
-  e->rotation = in.azimuth;
-  e->scale = vec3(float(std::exp2(in.exposure)));
-  e->visible = in.visible;
-  made.strata = std::make_shared<const scene::EnvironmentStrata>(e->map);
-  made.environment = std::move(e);
-  made.sun = scene::sunAbove(in.irradiance) * scene::sunTransmittance(air, height, in.elevation) *
-             std::exp2(in.exposure);
+  made.atmosphere = known && known->air() == a.air ? known : std::make_shared<const scene::Atmosphere>(a.air);
+  made.environment = scene::environmentOf(scene::skyMap(*made.atmosphere, a.sky));
+  made.strata = std::make_shared<const scene::EnvironmentStrata>(*made.environment.map);
+  made.sun =
+      scene::sunAbove(a.sky.irradiance) * scene::sunTransmittance(a.air, a.sky.height, a.sky.elevation);
   return made;
 }
 
 struct Work {
-  std::unique_ptr<Job<Made>> job;
+  Asked asked;
+  std::shared_ptr<const scene::Atmosphere> atmosphere;  ///< the last that was made
+  LooseJob<Made> job;
 };
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
-  auto& job = ctx.state<Work>().job;
-  if (!job) job = std::make_unique<Job<Made>>([in](JobControl&) -> Result<Made> { return make(in); });
+  Work& work = ctx.lasting<Work>();
+  auto& job = work.job;
+  if (const Asked asked = askedBy(in); !job || work.asked != asked) {
+    work.asked = asked;
+    job = looseJob<Made>(
+        [asked, known = work.atmosphere](JobControl&) -> Result<Made> { return make(asked, known); });
+  }
   if (!job->done()) {
     ctx.pending(job->progress(), "Making the sky");
     return Out{};
   }
   if (!job->result()) return job->result().error();
   const Made& made = *job->result();
+  work.atmosphere = made.atmosphere;
+  const double exposed = std::exp2(in.exposure);
+  auto environment = std::make_shared<scene::Environment>(made.environment);
+  environment->rotation = in.azimuth;
+  environment->scale = vec3(float(exposed));
+  environment->visible = in.visible;
   Out out;
   if (glm::any(glm::greaterThan(made.sun, dvec3(0)))) {
     scene::Light sun;
     sun.kind = scene::LightKind::Sun;
     sun.towards = scene::sunDirection(in.azimuth, in.elevation);
-    sun.emitted = vec3(made.sun);
+    sun.emitted = vec3(made.sun * exposed);
     out.sun.items.push_back({sun, nullptr});
   } else {
     ctx.note("The sun has set");
   }
-  out.sky.items = standIns(made.environment, *made.strata);
+  out.sky.items = standIns(environment, *made.strata);
   out.light.items = out.sun.items;
   out.light.items.insert(out.light.items.end(), out.sky.items.begin(), out.sky.items.end());
   return out;

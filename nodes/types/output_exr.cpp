@@ -25,7 +25,7 @@ void describe(Describe<In, Out>& d) {
   d.output();
   d.in("image", &In::image).required().help("The picture to write.");
   d.in("file", &In::file)
-      .file("exr", true)
+      .file({"exr"}, true)
       .help(
           "Target; the last run of #, or the last %04d or $F, stands for the frame. `pileus render -o` "
           "overrides it.");

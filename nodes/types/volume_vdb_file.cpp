@@ -23,7 +23,7 @@ void describe(Describe<In, Out>& d) {
   d.help(
       "Reads one grid of an OpenVDB file. The file's own transform places it; a fog volume's values become "
       "density.");
-  d.in("file", &In::file).file("vdb").help("The .vdb file. Relative paths start at the graph's folder.");
+  d.in("file", &In::file).file({"vdb"}).help("The .vdb file. Relative paths start at the graph's folder.");
   d.in("grid", &In::grid)
       .help("Name of the grid, or name[i] where several share it. Empty: chosen by name and class.");
   d.in("level_set", &In::level_set)

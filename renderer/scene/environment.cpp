@@ -163,26 +163,29 @@ EnvironmentFaults repair(EnvironmentMap& map, Negative keep) {
   return out;
 }
 
+Environment environmentOf(EnvironmentMap map) {
+  Environment out;
+  out.map = std::make_shared<const EnvironmentMap>(reduced(map, kLightMap));
+  out.seen = std::make_shared<const EnvironmentMap>(reduced(map, kSeenMap));
+  return out;
+}
+
 std::shared_ptr<const Environment> joined(const std::vector<std::shared_ptr<const Environment>>& some) {
   if (some.empty()) return nullptr;
   if (some.size() == 1) return some.front();
   constexpr ivec2 kSize{1024, 512};
   constexpr int kAcross = 2;  // places of a texel, along each axis
-  auto out = std::make_shared<Environment>();
-  out->map = {kSize, std::vector<vec3>(std::size_t(kSize.x) * std::size_t(kSize.y), vec3(0.0f))};
-  out->visible = false;
-  for (const auto& each : some) {
-    out->visible |= each->visible;
+  EnvironmentMap sum{kSize, std::vector<vec3>(std::size_t(kSize.x) * std::size_t(kSize.y), vec3(0.0f))};
+  for (const auto& each : some)
     for (int y = 0; y < kSize.y; ++y)
       for (int x = 0; x < kSize.x; ++x)
         for (int i = 0; i < kAcross * kAcross; ++i) {
-          const dvec2 at =
-              (dvec2(x, y) + (dvec2(i % kAcross, i / kAcross) + 0.5) / double(kAcross)) / dvec2(kSize);
-          out->map.at(x, y) += each->scale / float(kAcross * kAcross) *
-                               environmentRadiance(each->map, environmentDirection(at), each->rotation);
+          const dvec2 inside = (dvec2(i % kAcross, i / kAcross) + 0.5) / double(kAcross);
+          const dvec3 d = environmentDirection((dvec2(x, y) + inside) / dvec2(kSize));
+          sum.at(x, y) +=
+              each->scale / float(kAcross * kAcross) * environmentRadiance(*each->seen, d, each->rotation);
         }
-  }
-  return out;
+  return std::make_shared<const Environment>(environmentOf(std::move(sum)));
 }
 
 }  // namespace pileus::scene

@@ -11,6 +11,8 @@ struct Sky {
   double elevation = 40;   ///< of the sun's middle, degrees; -90 .. 90. Without refraction
   double irradiance = 10;  ///< luminance of the sun's irradiance above the air [W/m^2]; the sky in proportion
   double height = 1000;    ///< where it is seen [m above the sea]; 0 .. kAirTop
+
+  bool operator==(const Sky&) const = default;
 };
 
 /// Radiance of sky and ground, without the sun's disc. The sun stands over the middle of the map: turn it by

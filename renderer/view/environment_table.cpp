@@ -5,12 +5,6 @@
 #include "renderer/shaders/shared/path.h"
 
 namespace pileus::view {
-namespace {
-
-constexpr ivec2 kLightSize{512, 256}, kSeenSize{4096, 2048};
-
-}  // namespace
-
 std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3& scale) {
   const scene::EnvironmentSampler sampler = scene::environmentSampler(map, map.size);
   const auto width = std::size_t(map.size.x), height = std::size_t(map.size.y);
@@ -26,7 +20,7 @@ std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3
 }
 
 Result<void> EnvironmentTable::make(const scene::Environment& environment) {
-  const scene::EnvironmentMap map = scene::reduced(environment.map, kLightSize);
+  const scene::EnvironmentMap& map = *environment.map;
   size_ = map.size, turn_ = environment.rotation;
   power_ = scene::acescgLuminance(scene::environmentFlux(map) * dvec3(environment.scale));
   const std::vector<vec4> texels = environmentTexels(map, environment.scale);
@@ -41,7 +35,7 @@ void EnvironmentTable::bind(gl::Program& program) const {
 }
 
 Result<void> Backdrop::make(const scene::Environment& environment) {
-  const scene::EnvironmentMap map = scene::reduced(environment.map, kSeenSize);
+  const scene::EnvironmentMap& map = *environment.seen;
   PILEUS_TRY(map_, gl::Texture::create(GL_TEXTURE_2D, GL_RGB32F, ivec3(map.size, 1), "backdrop"));
   glTextureSubImage2D(map_.id(), 0, 0, 0, map.size.x, map.size.y, GL_RGB, GL_FLOAT, map.radiance.data());
   map_.filter(GL_LINEAR);

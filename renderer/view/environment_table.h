@@ -15,7 +15,7 @@ namespace pileus::view {
 /// A black map is chosen from evenly.
 std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3& scale = vec3(1));
 
-/// Directions by radiance, which is constant in each texel of at most 512 x 256.
+/// Directions by radiance, which is constant in each texel.
 class EnvironmentTable {
  public:
   Result<void> make(const scene::Environment& environment);

@@ -10,6 +10,7 @@
 #include "renderer/shaders/shared/path.h"
 #include "renderer/shadow/shadow_pass.h"
 #include "renderer/view/camera_march.h"
+#include "renderer/view/picture_start.h"
 
 namespace pileus::view {
 namespace {
@@ -22,18 +23,10 @@ constexpr int kWork = 3500;
 constexpr int kHead = 16;  ///< bytes of the counters in front of the states
 
 /// A light without a shadow of its own gets that of what is drawn: light does not go through a cloud because
-/// nobody asked for a map.
+/// nobody asked for a map. What stands for an environment is left out: that itself is traced.
 std::vector<shadow::ShadowedLight> shadowed(const RenderScene& scene) {
-  std::vector<shadow::ShadowedLight> out = scene.lights;
-  if (const PictureLayer& layer = scene.options.layer; layer.kind == PictureLayer::Kind::Light) {
-    const auto i = std::size_t(layer.light);
-    out = i < out.size() ? std::vector{out[i]} : std::vector<shadow::ShadowedLight>{};
-  } else if (layer.kind == PictureLayer::Kind::Emission) {
-    out.clear();
-  }
-  // In the beauty all of an environment counts, and not what stands for it.
-  if (scene.options.layer.kind == PictureLayer::Kind::Beauty)
-    std::erase_if(out, [](const shadow::ShadowedLight& l) { return l.light.environment != nullptr; });
+  std::vector<shadow::ShadowedLight> out = layerLights(scene);
+  std::erase_if(out, [](const shadow::ShadowedLight& l) { return l.light.environment != nullptr; });
   for (shadow::ShadowedLight& l : out)
     if (!l.shadow) l.shadow = shadow::marchedShadow(l.light, scene.volumes, scene.solids);
   return out;
@@ -62,20 +55,11 @@ Result<void> PathTracePass::start(const shadow::Gpu& gpu) {
   const auto texture = [&](const char* label) {
     return gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), label);
   };
-  PILEUS_TRY(gl::Texture color, texture("picture"));
   PILEUS_TRY(deviations_, texture("deviations"));
   PILEUS_TRY(odd_, texture("odd samples"));
   deviations_.clear();
   odd_.clear();
-  picture_ = std::make_shared<Picture>();
-  picture_->size = o.size;
-  picture_->scene = scene_;
-  picture_->color = std::move(color);
-  picture_->layer = o.layer;
-  if (seed_ && seed_->layer == o.layer)
-    stretch(*seed_, *picture_);
-  else
-    picture_->color.clear();
+  PILEUS_TRY(picture_, startPicture(scene_, seed_.get()));
   seed_.reset();
   // Lists of volumes instead of tiles of the picture: all that are drawn, then what casts each light's
   // shadows.
@@ -87,15 +71,9 @@ Result<void> PathTracePass::start(const shadow::Gpu& gpu) {
     lists[l].assign(casters.begin(), casters.end());
   }
   run_.list(lists);
-  using Kind = PictureLayer::Kind;
-  if (const auto all = environmentOf(*scene_); all && o.layer.kind == Kind::Beauty)
-    PILEUS_CHECK(environment_.make(*all));
-  if (const auto seen = backdropOf(*scene_);
-      seen && (o.layer.kind == Kind::Beauty || o.layer.kind == Kind::Emission))
-    PILEUS_CHECK(backdrop_.make(*seen));
-  const ivec2 lo = glm::clamp(ivec2(glm::floor(o.region.min * dvec2(o.size))), ivec2(0), o.size - 1);
-  const ivec2 hi = glm::clamp(ivec2(glm::ceil(o.region.max * dvec2(o.size))), lo + 1, o.size);
-  run_.cursor = gl::RegionCursor(hi - lo, gpu.device, 1, lo);
+  if (const auto traced = layerEnvironment(*scene_)) PILEUS_CHECK(environment_.make(*traced));
+  if (const auto seen = backdropOf(*scene_)) PILEUS_CHECK(backdrop_.make(*seen));
+  run_.cursor = startRegions(o, gpu.device);
   const int work = options_.workPerDispatch > 0 ? options_.workPerDispatch : kWork;
   pace_ = {work, work, work};
   if (!gpu.device.software && options_.workPerDispatch <= 0) pace_.least = 256, pace_.most = 1 << 16;

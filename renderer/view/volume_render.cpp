@@ -5,6 +5,7 @@
 
 #include "renderer/base/profile.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/view/picture_start.h"
 
 namespace pileus::view {
 
@@ -12,22 +13,13 @@ namespace {
 
 constexpr int kUnrolledLights = 3;
 
-/// Those that the layer is made of.
-std::vector<shadow::ShadowedLight> lightsOf(const RenderScene& scene) {
-  const PictureLayer& layer = scene.options.layer;
-  if (layer.kind == PictureLayer::Kind::Beauty) return scene.lights;
-  const auto i = std::size_t(layer.light);
-  if (layer.kind == PictureLayer::Kind::Light && i < scene.lights.size()) return {scene.lights[i]};
-  return {};
-}
-
 }  // namespace
 
 VolumeRenderPass::VolumeRenderPass(RenderScene scene)
     : scene_(std::make_shared<const RenderScene>(std::move(scene))),
       // A light's layer leaves the emission out, but steps as the beauty does, so that the layers add up to
       // it.
-      lights_(lightsOf(*scene_), scene_->volumes, scene_->solids,
+      lights_(layerLights(*scene_), scene_->volumes, scene_->solids,
               scene_->options.layer.kind != PictureLayer::Kind::Depth) {
   const PictureLayer::Kind kind = scene_->options.layer.kind;
   emission_ = (kind == PictureLayer::Kind::Beauty || kind == PictureLayer::Kind::Emission) && emits(*scene_);
@@ -35,29 +27,15 @@ VolumeRenderPass::VolumeRenderPass(RenderScene scene)
 
 Result<void> VolumeRenderPass::start(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
-  PILEUS_TRY(gl::Texture color, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture"));
   march_.list(o, lights_);
-  using Kind = PictureLayer::Kind;
-  if (const auto seen = backdropOf(*scene_);
-      seen && (o.layer.kind == Kind::Beauty || o.layer.kind == Kind::Emission))
-    PILEUS_CHECK(backdrop_.make(*seen));
-  picture_ = std::make_shared<Picture>();
-  picture_->size = o.size;
-  picture_->scene = scene_;
-  picture_->color = std::move(color);
-  picture_->layer = o.layer;
-  if (seed_ && seed_->layer == o.layer)
-    stretch(*seed_, *picture_);
-  else
-    picture_->color.clear();
+  if (const auto seen = backdropOf(*scene_)) PILEUS_CHECK(backdrop_.make(*seen));
+  PILEUS_TRY(picture_, startPicture(scene_, seed_.get()));
   seed_.reset();
   // Few lights in registers; of many the room for them is cut into few sizes, as each is a variant.
   const int lights = std::max(int(lights_.lights().size()), 1);
   march_.plan(budget_, o, lights_, gpu.device, pauseAfter_,
               lights <= kUnrolledLights ? lights : int(std::bit_ceil(unsigned(lights))));
-  const ivec2 lo = glm::clamp(ivec2(glm::floor(o.region.min * dvec2(o.size))), ivec2(0), o.size - 1);
-  const ivec2 hi = glm::clamp(ivec2(glm::ceil(o.region.max * dvec2(o.size))), lo + 1, o.size);
-  march_.run.cursor = gl::RegionCursor(hi - lo, gpu.device, 1, lo);
+  march_.run.cursor = startRegions(o, gpu.device);
   return {};
 }
 

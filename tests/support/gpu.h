@@ -13,6 +13,20 @@ namespace pileus::test {
 /// The process's renderer; fails the test hard where there is no OpenGL 4.5.
 view::Renderer& renderer();
 
+/// Steps a pass until it is finished.
+template <class Pass>
+void runToEnd(Pass& pass) {
+  double done = 0;
+  while (done < 1) {
+    const auto step = pass.step(renderer().gpu(), 1e12);
+    if (!step) {
+      ADD_FAILURE() << step.error().message;
+      std::abort();
+    }
+    done = *step;
+  }
+}
+
 volume::Instance box(const dvec3& center, const dvec3& size, double sigma, const dvec3& rotate = dvec3(0));
 volume::Instance ball(const dvec3& center, double radius, double sigma);
 scene::Light sunFrom(const dvec3& towards, float irradiance = 1);

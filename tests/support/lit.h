@@ -105,17 +105,8 @@ inline scene::Solid solidBox(const dvec3& center, const dvec3& size, const dvec3
 }
 
 inline image::Image render(const view::RenderScene& scene) {
-  renderer();
   view::VolumeRenderPass pass(scene);
-  double done = 0;
-  while (done < 1) {
-    const auto step = pass.step(renderer().gpu(), 1e12);
-    if (!step) {
-      ADD_FAILURE() << step.error().message;
-      std::abort();
-    }
-    done = *step;
-  }
+  runToEnd(pass);
   return view::readBack(*pass.picture()).value();
 }
 

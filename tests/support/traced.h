@@ -18,17 +18,8 @@ struct Traced {
 };
 
 inline Traced traced(const view::RenderScene& scene, const view::PathOptions& options = {}) {
-  renderer();
   view::PathTracePass pass(scene, options);
-  double done = 0;
-  while (done < 1) {
-    const auto step = pass.step(renderer().gpu(), 1e12);
-    if (!step) {
-      ADD_FAILURE() << step.error().message;
-      std::abort();
-    }
-    done = *step;
-  }
+  runToEnd(pass);
   Traced out;
   out.statistics = pass.statistics();
   if (auto r = view::readBack(*pass.picture()); !r) ADD_FAILURE() << r.error().message;
@@ -63,9 +54,9 @@ inline view::RenderScene rayScene(const dvec3& eye, const dvec3& target, int siz
 /// The same radiance from everywhere above the horizon, and from below it, as a light.
 inline shadow::ShadowedLight halves(const vec3& above, const vec3& below) {
   scene::Light light;
-  auto e = std::make_shared<scene::Environment>();
-  e->map = {{4, 256}, std::vector<vec3>(4 * 256, below)};
-  std::fill_n(e->map.radiance.begin(), 4 * 128, above);
+  scene::EnvironmentMap map{{4, 256}, std::vector<vec3>(4 * 256, below)};
+  std::fill_n(map.radiance.begin(), 4 * 128, above);
+  auto e = std::make_shared<scene::Environment>(scene::environmentOf(std::move(map)));
   light.environment = e;
   return {light, nullptr};
 }

@@ -1,7 +1,6 @@
 // Light from everywhere: radiance by direction, constant in each texel of a map, and directions chosen by it
 // (view/environment_table.h). Variant constant ENVIRONMENT (1: there is one).
 #pragma once
-#include "lib/random.glsl"
 #include "shared/path.h"
 
 #ifndef ENVIRONMENT
@@ -27,7 +26,6 @@ vec4 environmentRow(int y) { return texelFetch(environmentTexels, y); }
 vec4 environmentAt(ivec2 at) {
   return texelFetch(environmentTexels, environmentSize.y + at.y * environmentSize.x + at.x);
 }
-vec3 environmentRadiance(vec3 d) { return environmentAt(environmentTexel(d)).rgb; }
 
 // [1/sr] at which sampleEnvironment gives what is in that texel.
 float environmentDensity(ivec2 at) {

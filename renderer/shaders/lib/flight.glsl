@@ -2,7 +2,8 @@
 // overlap. A flight that looks for a collision ends at the first real one; a flight that measures (ratio
 // tracking) gathers transmittance instead. Unbiased in whatever is bounded rightly; what is above its bound
 // is counted and weighted.
-// Who includes this says when to pause: spendWork, workIsLeft. Variant constants: those of lib/stretch.glsl,
+// Who includes this says when to pause (spendWork, workIsLeft) and what to do with emission that is passed
+// (addGlow). Variant constants: those of lib/stretch.glsl,
 // TINTED (1: extinction has colours).
 #pragma once
 #define STRETCH_IDS 1
@@ -19,6 +20,7 @@ const float kAbove = 1e-4;  // rounding of what is at its bound
 const float kFaint = 0.05;  // a measured transmittance below that is weighed against ending
 
 void spendWork(int iterations);
+void addGlow(vec3 glow);  // weighted
 bool workIsLeft();
 int violations = 0;
 
@@ -38,7 +40,6 @@ struct Flight {
 // decides, and the densities of all channels over that one's (Miller, Georgiev and Jarosz 2019).
 vec3 pathWeight = vec3(1.0), pathRatio = vec3(1.0);
 int pathChannel = 0;  // that decides
-vec3 pathGlow = vec3(0.0);  // emission that was passed, weighted as pathMean() has it
 
 // Where it collided, and with what.
 vec3 metAt = vec3(0.0);
@@ -90,6 +91,23 @@ bool decide(vec3 sigma, float most, float u) {
   return collides;
 }
 
+// The sum of extinctions so far, and a volume picked by its share of it with a number in [0, 1), of which
+// what is left is one again.
+struct Pick {
+  float sum, number;
+};
+
+void takeVolume(inout Pick p, int v, vec4 medium) {
+  float share = medium.w;
+  p.sum += share;
+  bool taken = share > 0.0 && p.number * p.sum < share;
+  p.number = share <= 0.0 ? p.number
+             : taken      ? p.number * p.sum / share
+                          : (p.number - share / p.sum) / (1.0 - share / p.sum);
+  metVolume = taken ? v : metVolume;
+  metFactor = taken ? medium.rgb : metFactor;
+}
+
 // One piece: up to where a bound ends or a tentative collision is.
 void flyPiece(inout Stretch s, inout Flight f) {
   Bound bounds[ACTIVE];
@@ -119,22 +137,17 @@ void flyPiece(inout Stretch s, inout Flight f) {
   // Somewhere in the piece: what is emitted there stands for all of it.
   float glowing = mix(s.at, to, u.y);
   vec3 sigma = vec3(0.0), glow = vec3(0.0);
-  float sum = 0.0, pick = u.x;  // a volume by its share of the extinction
+  Pick pick = Pick(0.0, u.x);
   for (int k = 0; k < ACTIVE; ++k) {
     bool counts = k < s.count;
     vec4 here = mediumAt(s.rays[k], placeWithin(bounds[k], s.rays[k], to));
-    float share = counts ? here.w : 0.0;
-    sigma += share * tintOf(s.ids[k]);
+    here.w = counts ? here.w : 0.0;
+    sigma += here.w * tintOf(s.ids[k]);
 #if EMISSION
     vec4 table = mediumAt(s.rays[k], placeWithin(bounds[k], s.rays[k], glowing));
     glow += counts ? glowOf(s, k, table) : vec3(0.0);
 #endif
-    sum += share;
-    bool mine = share > 0.0 && pick * sum < share;
-    // What is left of the number is one again.
-    pick = share <= 0.0 ? pick : mine ? pick * sum / share : (pick - share / sum) / (1.0 - share / sum);
-    metVolume = mine ? s.ids[k] : metVolume;
-    metFactor = mine ? here.rgb : metFactor;
+    takeVolume(pick, s.ids[k], here);
   }
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
@@ -143,22 +156,17 @@ void flyPiece(inout Stretch s, inout Flight f) {
       if (isActive(s, item, ray)) {
         Bound b = boundOf(ray, v, s.at);
         vec4 here = mediumAt(ray, placeWithin(b, ray, to));
-        float share = here.w;
-        sigma += share * tintOf(v);
+        sigma += here.w * tintOf(v);
 #if EMISSION
         glow += glowOf(item, ray, mediumAt(ray, placeWithin(b, ray, glowing)));
 #endif
-        sum += share;
-        bool mine = share > 0.0 && pick * sum < share;
-        pick = share <= 0.0 ? pick : mine ? pick * sum / share : (pick - share / sum) / (1.0 - share / sum);
-        metVolume = mine ? v : metVolume;
-        metFactor = mine ? here.rgb : metFactor;
+        takeVolume(pick, v, here);
       }
       spendWork(1);
     }
   }
 #if EMISSION
-  if (!f.measures) pathGlow += pathMean() * glow * (to - s.at);
+  if (!f.measures) addGlow(pathMean() * glow * (to - s.at));
 #endif
   f.left = tentative ? exponential(u.z) : max(f.left - most * (to - s.at), 0.0);
   s.at = to;
@@ -175,7 +183,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
     f.state = kCollided;
     metAt = pointAt(s, to);
     // The chosen one's part of the extinction over the chance that it was chosen by.
-    pathWeight *= sum * tintOf(metVolume);
+    pathWeight *= pick.sum * tintOf(metVolume);
   }
 }
 

@@ -79,16 +79,13 @@ void add(vec3 contribution, int vertex) {
   radiance.rgb += contribution;
 }
 
-// Of what was passed on the flight. Fire is seen, and seen by so many scatterings as there are bounces.
-void addGlow() {
-  add(bounces <= bounceLimit() ? pathGlow : vec3(0.0), bounces);
-  pathGlow = vec3(0.0);
-}
+// Fire is seen, and seen by so many scatterings as there are bounces.
+void addGlow(vec3 glow) { add(bounces <= bounceLimit() ? glow : vec3(0.0), bounces); }
 
 void beginSample(ivec2 pixel, int s) {
   seedPath(pixel, firstPath + s);
   vec3 u = random3();
-  pathWeight = vec3(1.0), pathRatio = vec3(1.0), pathGlow = vec3(0.0);
+  pathWeight = vec3(1.0), pathRatio = vec3(1.0);
   pathChannel = min(int(3.0 * u.z), 2);
   radiance = vec4(0.0);
   bounces = 0, density = -1.0, sky = 0.0, lightOfFlight = -1;
@@ -327,7 +324,6 @@ bool arrive() {
     add(pending * flight.through, bounces);
     return continuePath();
   }
-  addGlow();
   bool collided = flight.state == kCollided, solid = !collided && flight.end < kNoHit;
   bool camera = density < 0.0;
   vec3 passes = pathMean();
@@ -399,7 +395,6 @@ void load(PathState k, ivec2 pixel) {
   pending = k.pending.rgb;
   nextDirection = k.next.xyz, nextDensity = k.next.w;
   nextWeight = k.nextWeight.rgb;
-  pathGlow = vec3(0.0);
   if (!flight.measures) findEnd();
 }
 
@@ -439,7 +434,6 @@ void main() {
     }
     spendWork(4);
   } while (!finished && workIsLeft());
-  addGlow();
   save(slot, s, finished);
   if (!finished) atomicAdd(pathsLeft, 1);
   if (violations > 0) atomicAdd(above, violations);

@@ -6,9 +6,13 @@
 namespace pileus {
 namespace {
 
-std::shared_ptr<scene::Environment> black(ivec2 size) {
-  auto e = std::make_shared<scene::Environment>();
-  e->map = {size, std::vector<vec3>(std::size_t(size.x) * std::size_t(size.y), vec3(0.0f))};
+scene::EnvironmentMap black(ivec2 size) {
+  return {size, std::vector<vec3>(std::size_t(size.x) * std::size_t(size.y), vec3(0.0f))};
+}
+
+std::shared_ptr<scene::Environment> made(scene::EnvironmentMap map, bool visible = false) {
+  auto e = std::make_shared<scene::Environment>(scene::environmentOf(std::move(map)));
+  e->visible = visible;
   return e;
 }
 
@@ -31,10 +35,11 @@ shadow::ShadowedLight lightOf(std::shared_ptr<scene::Environment> e) {
 TEST(PathEnvironment, ABrightPixelIsASun) {
   for (const double rotation : {0.0, 30.0}) {
     const ivec2 size(72, 36), at(20, 9);
-    auto e = black(size);
-    e->rotation = rotation, e->visible = false;
+    scene::EnvironmentMap map = black(size);
     const double omega = scene::texelSolidAngle(size, at.y);
-    e->map.at(at.x, at.y) = vec3(float(1 / omega));
+    map.at(at.x, at.y) = vec3(float(1 / omega));
+    auto e = made(std::move(map));
+    e->rotation = rotation;
     view::RenderScene scene = cloud();
     scene.lights = {lightOf(e)};
     const test::Traced t = test::traced(scene);
@@ -52,22 +57,35 @@ TEST(PathEnvironment, ABrightPixelIsASun) {
 
 /// Bright on one side, dim elsewhere.
 std::shared_ptr<scene::Environment> gradient() {
-  auto e = black({64, 32});
+  scene::EnvironmentMap map = black({64, 32});
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 64; ++x) {
       const dvec3 d = scene::environmentDirection((dvec2(x, y) + 0.5) / dvec2(64, 32));
-      e->map.at(x, y) =
+      map.at(x, y) =
           vec3(float(0.2 + 2 * std::pow(std::max(0.0, glm::dot(d, glm::normalize(dvec3(1, 1, 0.5)))), 4.0)));
     }
-  e->visible = false;
-  return e;
+  return made(std::move(map));
+}
+
+// A file's layers: the first of the lights that stand for an environment has all of it.
+TEST(PathEnvironment, ALayerHasAllOfIt) {
+  auto e = gradient();
+  view::RenderScene scene = cloud();
+  scene.options.samples = 4;
+  for (nodes::LightWithShadow& part : nodes::standIns(e, scene::EnvironmentStrata(*e->map)))
+    scene.lights.push_back(part);
+  const test::Traced beauty = test::traced(scene);
+  scene.options.layer = {view::PictureLayer::Kind::Light, 0};
+  EXPECT_EQ(test::traced(scene).picture.layers[0].pixels, beauty.picture.layers[0].pixels);
+  scene.options.layer.light = 1;
+  EXPECT_EQ(test::traced(scene).gray(), 0);
 }
 
 // Sixteen suns stand for it where light is looked up: their picture has its mean.
 TEST(PathEnvironment, WhatStandsForItBringsItsLight) {
   auto e = gradient();
   view::RenderScene scene = cloud();
-  for (nodes::LightWithShadow& part : nodes::standIns(e, scene::EnvironmentStrata(e->map)))
+  for (nodes::LightWithShadow& part : nodes::standIns(e, scene::EnvironmentStrata(*e->map)))
     scene.lights.push_back({part.light, shadow::marchedShadow(part.light, scene.volumes, {}, 0.5)});
   ASSERT_EQ(scene.lights.size(), 16u);
   view::PathOptions once;
@@ -84,10 +102,11 @@ TEST(PathEnvironment, WhatStandsForItBringsItsLight) {
 
 // What is seen behind all else: the same by either renderer, alpha that of the media.
 TEST(PathEnvironment, SeenBehindTheMedia) {
-  auto e = black({64, 32});
+  scene::EnvironmentMap map = black({64, 32});
   for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 64; ++x) e->map.at(x, y) = vec3(float(x) / 64, float(y) / 32, 0.25f);
-  e->visible = true, e->rotation = 200;
+    for (int x = 0; x < 64; ++x) map.at(x, y) = vec3(float(x) / 64, float(y) / 32, 0.25f);
+  auto e = made(std::move(map), true);
+  e->rotation = 200;
   view::RenderScene scene;
   scene.options.size = {32, 18};
   scene.options.samples = 64;
@@ -104,7 +123,7 @@ TEST(PathEnvironment, SeenBehindTheMedia) {
   }
   EXPECT_LT(worst, 5e-3);
   // The pixel in the middle looks along (0, -0.4, -2.4).
-  const vec3 right = scene::smoothRadiance(e->map, glm::normalize(dvec3(0, -0.4, -2.4)), 200);
+  const vec3 right = scene::smoothRadiance(*e->seen, glm::normalize(dvec3(0, -0.4, -2.4)), 200);
   const std::size_t middle = (9 * 32 + 16) * 4;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(p[middle + std::size_t(c)], right[c], 0.02);
 }

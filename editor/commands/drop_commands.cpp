@@ -4,6 +4,7 @@
 
 #include "editor/commands/files.h"
 #include "editor/document/drops.h"
+#include "editor/document/environment_scene.h"
 #include "editor/document/session.h"
 #include "editor/document/vdb_scene.h"
 #include "editor/editor.h"
@@ -75,6 +76,19 @@ void addVolumes(Editor& editor, const std::vector<volume::VdbFit>& fits) {
   editor.messages.info(text + ". One undo takes it back; the log says why.");
 }
 
+void addEnvironments(Editor& editor, const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    editor.session.document.setScope({});  // renders are looked for in the whole
+    Result<EnvironmentScene> scene = addEnvironment(editor.session.document.graph(), file);
+    if (!scene) return editor.messages.error(scene.error().message);
+    if (!tryEdit(editor.session, editor.messages, std::move(scene->graph), "Add " + nameOf(file))) return;
+    editor.session.document.endMerge();
+    editor.session.document.select({scene->node});
+    editor.canvas.frameAll = true;
+    editor.messages.info(nameOf(file) + " lights the scene. One undo takes it back.");
+  }
+}
+
 void merge(Editor& editor, const fs::path& path) {
   const nodes::Graph& graph = editor.session.document.graph();
   dvec2 at(0);
@@ -138,6 +152,7 @@ bool takeDrops(Editor& editor) {
     editor.modals.questions.ask(std::move(q));
   }
   addVolumes(editor, content.volumes);
+  addEnvironments(editor, content.environments);
   for (const std::string& note : content.notes) editor.messages.info(note);
   for (const fs::path& path : content.graphs) askGraph(editor, path);
   for (const auto& [path, text] : content.stills) askStill(editor, path, text);

@@ -73,23 +73,18 @@ DropKind dropKind(const fs::path& path) {
   return DropKind::Unknown;
 }
 
-std::string whyNotDropped(const fs::path& path, DropKind kind) {
+std::string whyNotDropped(const fs::path& path) {
   const std::string name = nameOf(path);
-  if (kind == DropKind::Still)
-    return name +
-           " carries no Pileus graph. Environment lights do not exist yet: light the scene with Sun, Point "
-           "or "
-           "Spot lights; a still exported by Pileus gives its graph back.";
-  if (kind == DropKind::Environment)
-    return name +
-           " is an environment picture. Environment lights do not exist yet: light the scene with a Sun "
-           "and a second, bluish one as sky.";
   if (path.extension() == ".nvdb")
     return name + " is a NanoVDB file, which cannot be read: convert it to .vdb (nanovdb_convert).";
   std::error_code ec;
   if (fs::is_directory(path, ec))
-    return name + " is a folder. Graphs (.json), volumes (.vdb) and stills (.exr) can be dropped.";
-  return name + " cannot be used. Graphs (.json), volumes (.vdb) and stills (.exr) can be dropped.";
+    return name +
+           " is a folder. Graphs (.json), volumes (.vdb), stills and environments (.exr, .hdr) can be "
+           "dropped.";
+  return name +
+         " cannot be used. Graphs (.json), volumes (.vdb), stills and environments (.exr, .hdr) can be "
+         "dropped.";
 }
 
 DropContent readDrops(const std::vector<fs::path>& paths, JobControl& control) {
@@ -115,9 +110,11 @@ DropContent readDrops(const std::vector<fs::path>& paths, JobControl& control) {
       else if (const auto it = metadata->find(image::kGraphAttribute); it != metadata->end())
         out.stills.emplace_back(path, it->second);
       else
-        out.refusals.push_back(whyNotDropped(path, kind));
+        out.environments.push_back(path);
+    } else if (kind == DropKind::Environment) {
+      out.environments.push_back(path);
     } else {
-      out.refusals.push_back(whyNotDropped(path, kind));
+      out.refusals.push_back(whyNotDropped(path));
     }
   }
   return out;

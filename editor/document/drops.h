@@ -20,13 +20,14 @@ enum class DropKind { Graph, Volume, Still, Environment, Unknown };
 /// By the ending, whatever its case.
 DropKind dropKind(const std::filesystem::path& path);
 /// Why a file of no use was not taken, and what can be done instead.
-std::string whyNotDropped(const std::filesystem::path& path, DropKind kind);
+std::string whyNotDropped(const std::filesystem::path& path);
 
 /// What was read of dropped files, away from the UI thread.
 struct DropContent {
   std::vector<std::filesystem::path> graphs;
   std::vector<volume::VdbFit> volumes;
   std::vector<std::pair<std::filesystem::path, std::string>> stills;  ///< with the graph's text they carry
+  std::vector<std::filesystem::path> environments;                    ///< pictures of light from everywhere
   std::vector<std::string> refusals;                                  ///< one sentence a file
   std::vector<std::string> notes;                                     ///< another frame was taken, and which
 };

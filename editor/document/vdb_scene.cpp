@@ -184,8 +184,7 @@ void addFire(Builder& build, const volume::VdbFit& fit, const std::string& name,
 Added addFiles(Builder& build, std::span<const volume::VdbFit> fits) {
   Added added;
   for (const volume::VdbFit& fit : fits) {
-    std::string name = fit.file.stem().string();
-    if (!nodes::checkName(name)) std::replace(name.begin(), name.end(), '.', ' ');
+    const std::string name = nodeNameOf(fit.file);
     if (fit.smoke) addSmoke(build, fit, name, added);
     if (fit.fire) addFire(build, fit, fit.smoke ? name + " Fire" : name, added);
   }
@@ -258,6 +257,12 @@ void explainFire(const volume::FireFit& fire, const std::string& name, std::vect
 }
 
 }  // namespace
+
+std::string nodeNameOf(const std::filesystem::path& file) {
+  std::string name = file.stem().string();
+  if (!nodes::checkName(name)) std::replace(name.begin(), name.end(), '.', ' ');
+  return name;
+}
 
 Result<VdbScene> addVdbFiles(const Graph& graph, std::span<const volume::VdbFit> fits,
                              const std::string& wanted, const std::optional<scene::Camera>& present) {

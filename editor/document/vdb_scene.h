@@ -28,6 +28,9 @@ Result<VdbScene> addVdbFiles(const nodes::Graph& graph, std::span<const volume::
                              const std::string& render = {},
                              const std::optional<scene::Camera>& present = {});
 
+/// What a node that reads that file is called: the file's name without its ending, as names may be.
+std::string nodeNameOf(const std::filesystem::path& file);
+
 /// What was guessed for one file and why, a line each.
 std::vector<std::string> explainFit(const volume::VdbFit& fit);
 

@@ -7,6 +7,7 @@
 
 #include "editor/document/crash_log.h"
 #include "editor/document/drops.h"
+#include "editor/document/environment_scene.h"
 #include "editor/document/graph_pictures.h"
 #include "nodes/file/serialize.h"
 #include "nodes/graph/document.h"
@@ -231,9 +232,7 @@ TEST(Drops, KindsAndRefusals) {
   EXPECT_EQ(dropKind("x.exr"), DropKind::Still);
   EXPECT_EQ(dropKind("x.hdr"), DropKind::Environment);
   EXPECT_EQ(dropKind("x"), DropKind::Unknown);
-  EXPECT_NE(whyNotDropped("sky.hdr", DropKind::Environment).find("light the scene with a Sun"),
-            std::string::npos);
-  EXPECT_NE(whyNotDropped("x.nvdb", DropKind::Unknown).find("convert"), std::string::npos);
+  EXPECT_NE(whyNotDropped("x.nvdb").find("convert"), std::string::npos);
 }
 
 TEST(Drops, SeveralFilesAtOnceAndAStillGivesItsGraphBack) {
@@ -257,10 +256,35 @@ TEST(Drops, SeveralFilesAtOnceAndAStillGivesItsGraphBack) {
   const Result<nodes::Loaded> back = nodes::parseGraph(content.stills[0].second);
   ASSERT_TRUE(back);
   EXPECT_TRUE(back->graph == graph);
-  ASSERT_EQ(content.refusals.size(), 4u);
-  EXPECT_NE(content.refusals[0].find("Environment lights do not exist yet"), std::string::npos);
-  EXPECT_NE(content.refusals[1].find("not a readable EXR"), std::string::npos);
-  EXPECT_NE(content.refusals[3].find("no such file"), std::string::npos);
+  EXPECT_EQ(content.environments, std::vector<fs::path>{folder / "plain.exr"});
+  ASSERT_EQ(content.refusals.size(), 3u);
+  EXPECT_NE(content.refusals[0].find("not a readable EXR"), std::string::npos);
+  EXPECT_NE(content.refusals[2].find("no such file"), std::string::npos);
+}
+
+TEST(Drops, AnEnvironmentLightsTheRender) {
+  Result<EnvironmentScene> alone = addEnvironment({}, "/sky/a.b.hdr");
+  ASSERT_TRUE(alone);
+  EXPECT_EQ(alone->node, "a b");
+  EXPECT_EQ(alone->graph.nodes.size(), 1u);
+  nodes::Graph graph = *nodes::addNode({}, "volume.sphere", {0, 0}, "Ball");
+  graph = *nodes::addNode(graph, "render.volume", {400, 0}, "Render");
+  graph = *nodes::connect(graph, {"Ball", "volume", "Render", "volumes"});
+  const Result<EnvironmentScene> lit = addEnvironment(graph, "/sky/noon.exr");
+  ASSERT_TRUE(lit);
+  const auto linked = [&](const char* from, const char* to) {
+    return std::any_of(lit->graph.links.begin(), lit->graph.links.end(),
+                       [&](const nodes::Link& l) { return l.fromNode == from && l.toNode == to; });
+  };
+  EXPECT_TRUE(linked("noon", "noon Metric"));
+  EXPECT_TRUE(linked("Ball", "noon Metric"));
+  EXPECT_TRUE(linked("noon Metric", "noon Shadow"));
+  EXPECT_TRUE(linked("noon Shadow", "Render"));
+  nodes::Graph traced = *nodes::addNode({}, "render.path_trace", {0, 0}, "Truth");
+  const Result<EnvironmentScene> direct = addEnvironment(traced, "/sky/noon.exr");
+  ASSERT_TRUE(direct);
+  EXPECT_EQ(direct->graph.nodes.size(), 2u);
+  EXPECT_EQ(direct->graph.links.size(), 1u);
 }
 
 TEST(Thumbnails, AreAveragedAndBounded) {

@@ -80,13 +80,4 @@ dvec3 sunTransmittance(const Air& air, double height, double elevation) {
   return glm::max(sum / sunColor(), dvec3(0));
 }
 
-std::vector<vec3> sunTransmittances(const Air& air, double elevation, double low, double high, int count) {
-  std::vector<vec3> out(std::size_t(std::max(count, 0)));
-  tbb::parallel_for(std::size_t(0), out.size(), [&](std::size_t i) {
-    const double t = out.size() > 1 ? double(i) / double(out.size() - 1) : 0;
-    out[i] = vec3(sunTransmittance(air, glm::mix(low, high, t), elevation));
-  });
-  return out;
-}
-
 }  // namespace pileus::scene

@@ -1,6 +1,5 @@
 #pragma once
 // The sky of the Earth and the sun seen through it, as lights. Linear ACEScg, 6500 K is white. Any thread.
-#include <vector>
 
 #include "renderer/scene/atmosphere.h"
 #include "renderer/scene/environment.h"
@@ -25,7 +24,4 @@ dvec3 sunAbove(double irradiance);
 /// What of that arrives at a height [m above the sea], by colour; the sun's middle at `elevation` degrees.
 /// The Earth covers its disc evenly. Smooth; 0 once it has set.
 dvec3 sunTransmittance(const Air& air, double height, double elevation);
-/// The same at `count` heights, evenly from `low` to `high`.
-std::vector<vec3> sunTransmittances(const Air& air, double elevation, double low, double high, int count);
-
 }  // namespace pileus::scene

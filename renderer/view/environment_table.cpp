@@ -5,6 +5,11 @@
 #include "renderer/shaders/shared/path.h"
 
 namespace pileus::view {
+namespace {
+
+/// `size.y` rows {chance of this and all rows above, solid angle of a texel, 0, 0}, then the texels
+/// {radiance, chance of this and those before it in its row}, of the map as it is scaled. A black map is
+/// chosen from evenly.
 std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3& scale) {
   const scene::EnvironmentSampler sampler = scene::environmentSampler(map, map.size);
   const auto width = std::size_t(map.size.x), height = std::size_t(map.size.y);
@@ -18,6 +23,8 @@ std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3
                        sampler.table[sampler.columns() + y * (width + 1) + x + 1]);
   return out;
 }
+
+}  // namespace
 
 Result<void> EnvironmentTable::make(const scene::Environment& environment) {
   const scene::EnvironmentMap& map = *environment.map;

@@ -1,8 +1,5 @@
 #pragma once
-// Light from everywhere on the GPU: as path tracers choose from it, and as cameras see it. GL thread, but for
-// environmentTexels().
-#include <vector>
-
+// Light from everywhere on the GPU: as path tracers choose from it, and as cameras see it. GL thread.
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
 #include "renderer/gl/texture.h"
@@ -10,12 +7,7 @@
 
 namespace pileus::view {
 
-/// Twin of lib/environment.glsl. `size.y` rows {chance of this and all rows above, solid angle of a texel, 0,
-/// 0}, then the texels {radiance, chance of this and those before it in its row}, of the map as it is scaled.
-/// A black map is chosen from evenly.
-std::vector<vec4> environmentTexels(const scene::EnvironmentMap& map, const vec3& scale = vec3(1));
-
-/// Directions by radiance, which is constant in each texel.
+/// Directions by radiance, which is constant in each texel. Twin of lib/environment.glsl.
 class EnvironmentTable {
  public:
   Result<void> make(const scene::Environment& environment);

@@ -5,8 +5,7 @@ namespace pileus::view {
 Result<std::shared_ptr<Picture>> startPicture(std::shared_ptr<const RenderScene> scene, const Picture* seed) {
   const RenderOptions& o = scene->options;
   auto picture = std::make_shared<Picture>();
-  PILEUS_TRY(picture->color,
-             gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture"));
+  PILEUS_TRY(picture->color, gl::Texture::create(GL_TEXTURE_2D, GL_RGBA32F, ivec3(o.size, 1), "picture"));
   picture->size = o.size;
   picture->layer = o.layer;
   if (seed && seed->layer == o.layer)

@@ -220,10 +220,8 @@ TEST(Sky, TheSinkingSunReddensAndSets) {
   const double edge = glm::degrees(std::asin(horizonCosine(kAirTop)));
   EXPECT_LT(sunTransmittance({0, 0, 0, 0}, kAirTop, edge).x, 0.5 + 1e-6);
   EXPECT_NEAR(sunTransmittance({0, 0, 0, 0}, kAirTop, edge).x, 0.5, 0.02);
-  const std::vector<vec3> table = sunTransmittances(air, 10, 0, 5000, 6);
-  ASSERT_EQ(table.size(), 6u);
-  EXPECT_LT(glm::length(dvec3(table[3]) - sunTransmittance(air, 3000, 10)), 1e-6);
-  for (std::size_t i = 1; i < 6; ++i) EXPECT_GT(table[i].z, table[i - 1].z);
+  for (double height = 0; height < 5000; height += 1000)
+    EXPECT_GT(sunTransmittance(air, height + 1000, 10).z, sunTransmittance(air, height, 10).z);
 }
 
 TEST(Sky, TheTablesBeamIsThatOfTheQuadrature) {

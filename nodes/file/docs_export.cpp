@@ -1,6 +1,8 @@
 // The node reference, from the declarations: nothing in it is written twice.
 #include "nodes/file/docs_export.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -134,7 +136,8 @@ Ordered paramJson(const ParamSpec& p) {
     for (const Choice& c : p.choices)
       json["choices"].push_back({{"id", c.id}, {"label", c.label}, {"help", c.help}});
   }
-  if (p.type == ParamType::File) json["kinds"] = p.fileKinds, json["writes"] = p.writes;
+  if (p.type == ParamType::File)
+    json["kinds"] = fmt::format("{}", fmt::join(p.fileKinds, ",")), json["writes"] = p.writes;
   return json;
 }
 

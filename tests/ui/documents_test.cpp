@@ -238,7 +238,8 @@ TEST(Documents, WhatArrivesInTheMiddleOfADragStays) {
       if (node["type"] == "volume.vdb_file") return true;
     return false;
   })) << ui.trace()["undo"];
-  EXPECT_EQ(ui.trace()["selection"].size(), 1u) << "the volume, whose notes say what was found";
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["selection"].size() == 1; }))
+      << "the volume, whose notes say what was found";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The first minutes and the safety of work in a real window: start view, tour, volumes that become clouds,
 // saving, and what is left after a kill.
 #include "nodes/file/serialize.h"
+#include "renderer/image/exr.h"
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {
@@ -152,6 +153,29 @@ TEST(Start, AVolumeBecomesACloudInOneStep) {
   ui.move(ui.emptySpot());
   ui.key("ctrl+z");
   EXPECT_TRUE(ui.waitFor([](const json& now) { return now["document"]["nodes"].empty(); })) << "one step";
+}
+
+TEST(Start, APictureOfLightLightsTheScene) {
+  image::Image sky;
+  sky.size = {64, 32};
+  sky.layers.push_back({"", 4, std::vector<float>(64 * 32 * 4, 0.5f)});
+  const fs::path file = scratchFolder() / "dome.exr";
+  ASSERT_TRUE(image::writeExr(file, sky));
+  UiSession ui({1280, 800}, {graphFile("lit.json").string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ui.finishPicture();
+  ui.click("menubar/File");
+  ui.click("menu/file.import_vdb");
+  ASSERT_TRUE(ui.waitRect("browser/name"));
+  ui.type(file.string());
+  ui.settle();
+  ui.key("Return");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("dome"); }, 40))
+      << ui.log();
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["selection"] == json{"dome"}; }));
+  ui.finishPicture();
+  ui.screenshot("environment-dropped");
+  EXPECT_EQ(ui.trace()["error"], "");
 }
 
 TEST(Start, SavesSafelyAndAsksBeforeItReplacesAStrangersWork) {

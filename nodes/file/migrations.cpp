@@ -44,10 +44,13 @@ void toFormat2(Json& file) {
                   {"volume.vdb_file", "level_set", "ignore"}});
 }
 
+/// Pictures got light that has been scattered more than once.
+void toFormat3(Json& file) { writeOut(file, {{"render.volume", "scattering", "single"}}); }
+
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static constexpr std::array kSteps = {Migration{1, toFormat2}};
+  static constexpr std::array kSteps = {Migration{1, toFormat2}, Migration{2, toFormat3}};
   return kSteps;
 }
 

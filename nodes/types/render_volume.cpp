@@ -15,6 +15,9 @@ struct In {
   LightValue lights;
   SolidValue solids;
   CameraValue camera;
+  view::Scattering scattering = view::Scattering::Grid;
+  int grid_cells = 64;
+  double grid_residual = 1e-4;
   double step_scale = 1;
   int samples = 16;
 };
@@ -48,9 +51,10 @@ void addLayers(Passes& passes, const view::RenderScene& scene, const view::Extra
 void describe(Describe<In, Out>& d) {
   d.name("Volume Render").category("Render").keywords("picture scattering march beauty");
   d.help(
-      "Renders single scattering of the lights in the volumes, what they emit, and the solids behind and "
-      "among them, front to back. Any "
-      "number of overlapping volumes; the picture refines sample by sample. Background black, alpha 0.");
+      "Renders the light that the volumes scatter and emit, and the solids behind and among them, front to "
+      "back. Any number of overlapping volumes; the picture refines sample by sample. Background black, "
+      "alpha "
+      "0.");
   d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");
   d.in("lights", &In::lights)
@@ -63,6 +67,23 @@ void describe(Describe<In, Out>& d) {
       .help(
           "Where the picture is taken from; unlinked: the viewport's free camera, or a view framed on the "
           "volumes.");
+  d.in("scattering", &In::scattering)
+      .help(
+          "What of light that was scattered more than once is there. Grid: all of it, solved for on a "
+          "lattice "
+          "of cells around the volumes; kept while one only looks from elsewhere. Octaves: something like "
+          "it, "
+          "a look. Single: none.");
+  d.in("grid_cells", &In::grid_cells)
+      .range(8, 192)
+      .soft(16, 128)
+      .help(
+          "Grid: at most so many cells along the longest edge of the volumes; fewer where the media are so "
+          "thin that more would tell nothing. 64 take up to 150 MB while they are solved for.");
+  d.in("grid_residual", &In::grid_residual)
+      .range(1e-6, 0.1)
+      .logarithmic()
+      .help("Grid: done once what is scattered is known to that part.");
   d.in("step_scale", &In::step_scale)
       .range(0.05, 16)
       .soft(0.25, 4)
@@ -75,15 +96,34 @@ void describe(Describe<In, Out>& d) {
   d.out("image", &Out::image).help("Scene-linear radiance [W/(m^2 sr)], premultiplied, with alpha.");
 }
 
-Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& passes) {
+constexpr int kDraftCells = 32;
+constexpr double kDraftResidual = 3e-3;
+
+Result<void> begin(const In& in, EvalContext& ctx, bool software, Passes& passes) {
   view::RenderOptions options = pictureOptions(ctx, in.camera, in.volumes, in.solids, in.samples, software);
   options.stepScale = in.step_scale;
+  options.scatter = {in.scattering, in.grid_cells, in.grid_residual};
+  if (ctx.quality() == Quality::Draft) {
+    options.scatter.cells = std::min(options.scatter.cells, kDraftCells);
+    options.scatter.residual = std::max(options.scatter.residual, kDraftResidual);
+  }
   if (ctx.quality() == Quality::Draft && software) options.stepScale *= 1.5;
   const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
   passes.push_back(std::make_unique<Pass>("", scene));
   passes.back()->beginWith(ctx.seed());
   if (ctx.quality() == Quality::Final) addLayers(passes, scene, ctx.extra());
+  auto& cache = ctx.lasting<std::shared_ptr<view::ScatterCache>>();
+  if (!cache) cache = std::make_shared<view::ScatterCache>();
+  for (const auto& pass : passes) pass->keepScatterIn(cache);
   return {};
+}
+
+void report(const view::ScatterField& field, EvalContext& ctx) {
+  const transport::Solution& s = field.solution();
+  if (s.sweeps == 0) return;
+  const ivec3 n = s.lattice.cells;
+  ctx.note(fmt::format("scattered light: {} x {} x {} cells, {} sweeps, residual {:.1e}", n.x, n.y, n.z,
+                       s.sweeps, s.residual));
 }
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
@@ -101,18 +141,21 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
         fmt::format("{} of the grids are drawn coarser than they are: their bricks need {}, {} are set aside "
                     "(--gpu-memory)",
                     r.coarsened, gl::neededMib(r.wantedBytes), gl::givenMib(r.budgetBytes)));
+  const auto field = first.scatterField();
+  if (field) report(*field, ctx);
   if (queue->fraction >= 1)
     for (std::size_t i = 1; i < queue->passes.size(); ++i)
       first.addLayer({queue->passes[i]->name, queue->passes[i]->picture()});
   else if (picture)
     ctx.partial(queue->fraction);
   else
-    ctx.pending(queue->fraction, "Uploading bricks");
+    ctx.pending(queue->fraction,
+                first.residency().fraction < 1 ? "Uploading bricks" : "Solving for scattered light");
   return Out{{picture}};
 }
 
 }  // namespace
 
-NodeType node_render_volume() { return makeNode<In, Out>("render.volume", 2, describe, evaluate); }
+NodeType node_render_volume() { return makeNode<In, Out>("render.volume", 3, describe, evaluate); }
 
 }  // namespace pileus::nodes

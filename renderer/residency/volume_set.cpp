@@ -88,8 +88,10 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const
   }
   const double coarse = i.shape == volume::Shape::Grid ? std::exp2(double(r.shape.w)) : 1.0;
   const double majorant = volume::majorant(i);
+  const scene::ScaledPhase scaled = scene::scaledPhase(phase);
   r.detail = vec4(float(volume::detailSize(i) * coarse),
-                  float(majorant > 1 / kFar ? std::min(1 / majorant, kFar) : kFar), 0, 0);
+                  float(majorant > 1 / kFar ? std::min(1 / majorant, kFar) : kFar), float(scaled.forward),
+                  float(scaled.cosine));
   return r;
 }
 

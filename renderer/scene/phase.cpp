@@ -90,4 +90,10 @@ double henyeyGreensteinCosine(double g, double u) {
   return std::clamp(c, -1.0, 1.0);
 }
 
+ScaledPhase scaledPhase(const Phase& p) {
+  const std::vector<double> moments = legendreMoments(p, 3);
+  const double forward = std::clamp(moments[2], 0.0, 0.9999);
+  return {forward, std::clamp((moments[1] - forward) / (1 - forward), -1.0, 1.0)};
+}
+
 }  // namespace pileus::scene

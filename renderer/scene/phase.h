@@ -47,6 +47,14 @@ double meanCosine(const Phase& p);
 /// Integrals of p P_l over all directions, l = 0 .. count - 1. The first is 1, the second the mean cosine.
 std::vector<double> legendreMoments(const Phase& p, int count);
 
+/// A phase function whose forward peak counts as light that goes straight on: the share `forward` of it does
+/// (the second moment: Joseph, Wiscombe and Weinman 1976, for two terms), the rest has mean cosine `cosine`.
+/// Extinction is then (1 - albedo forward) sigma_t, scattering (1 - forward) sigma_s.
+struct ScaledPhase {
+  double forward = 0, cosine = 0;
+};
+ScaledPhase scaledPhase(const Phase& p);
+
 /// Exactly distributed as p. `random` gives independent numbers in [0, 1): three at least, and two more for
 /// each cosine that is turned down, less than twice on average.
 template <class Random>

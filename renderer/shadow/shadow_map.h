@@ -1,6 +1,8 @@
 #pragma once
 // A light's shadow: what a representation left behind for lookupTransmittance, or the volumes to march
 // through.
+#include <cstdint>
+
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/pseudometric_map.h"
 #include "renderer/shadow/shadowed_light.h"
@@ -10,6 +12,7 @@ namespace pileus::shadow {
 struct ShadowMap {
   enum class Kind { Extinction, TransmittanceFunction, Deep, RayMarch };
   Kind kind = Kind::Extinction;
+  std::uint64_t number = 0;  ///< of this one, never 0 and no other's, as newMap() gives it
   // What it was made from: enough to make the truth beside it.
   scene::Light light;
   volume::InstanceList volumes;

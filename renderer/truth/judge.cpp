@@ -31,7 +31,9 @@ bool counts(const image::Layer& beauty, std::size_t pixel) {
 
 int claimedBounces(const view::Picture& picture) {
   const auto found = picture.metadata.find("pathTrace:bounces");
-  return found == picture.metadata.end() ? 0 : std::atoi(found->second.c_str());
+  if (found != picture.metadata.end()) return std::atoi(found->second.c_str());
+  const bool all = picture.scene && picture.scene->options.scatter.kind == view::Scattering::Grid;
+  return all ? -1 : 0;
 }
 
 JudgePass::JudgePass(image::Image picture, view::RenderScene scene, const JudgeOptions& options)

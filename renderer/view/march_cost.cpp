@@ -99,4 +99,18 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   return cost;
 }
 
+residency::MarchCost gatherCost(const LightSet& lights) {
+  double fixed = 2 + double(lights.drawnVolumes()), shadows = 0;
+  for (const shadow::ShadowedLight& l : lights.lights()) {
+    fixed += 2;
+    if (!l.shadow) continue;
+    fixed += double(l.shadow->solids.size());
+    (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
+  }
+  residency::MarchCost cost;
+  cost.sample = int(fixed);
+  cost.pixel = fixed + shadows;
+  return cost;
+}
+
 }  // namespace pileus::view

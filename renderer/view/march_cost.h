@@ -14,4 +14,7 @@ residency::MarchCost marchCost(const RenderOptions& options, std::span<const vol
                                std::span<const residency::PixelBounds> bounds, int longest,
                                const LightSet& lights);
 
+/// Of a place in the media of a scene that all lights are asked for (view/scatter_gather.h).
+residency::MarchCost gatherCost(const LightSet& lights);
+
 }  // namespace pileus::view

@@ -2,7 +2,9 @@
 // What a picture shows and how it is made. Plain values: whoever holds one can render the same picture again,
 // by other means.
 #include <algorithm>
+#include <array>
 
+#include "renderer/base/enum_info.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/solid.h"
 #include "renderer/shadow/shadowed_light.h"
@@ -11,12 +13,38 @@
 
 namespace pileus::view {
 
+/// What of light that has been scattered more than once is in a picture.
+enum class Scattering {
+  Single,   ///< nothing
+  Octaves,  ///< something like it: sums of single scattering with less and less light, depth and contrast
+  Grid,     ///< all of it, solved for on a lattice
+};
+
+constexpr auto enumInfo(Scattering*) {
+  using E = Scattering;
+  return std::array{
+      EnumItem<E>{E::Single, "single", "Single", "Light that was scattered once."},
+      EnumItem<E>{
+          E::Octaves, "octaves", "Octaves (a look)",
+          "Sums of single scattering with less and less light, depth and contrast: cheap, and not what "
+          "light does."},
+      EnumItem<E>{E::Grid, "grid", "Grid", "All of it, solved for on a lattice around the volumes."}};
+}
+
+struct ScatterOptions {
+  Scattering kind = Scattering::Single;
+  int cells = 64;          ///< Grid: at most so many along the longest edge of the media
+  double residual = 1e-4;  ///< Grid: transport::SolveOptions
+  bool operator==(const ScatterOptions&) const = default;
+};
+
 struct RenderOptions {
   ivec2 size{1280, 720};
   int samples = 16;
   double stepScale = 1;  ///< of the finest detail or pixel footprint
   scene::Camera camera;
   PictureLayer layer;
+  ScatterOptions scatter;
   PictureRegion region;  ///< texels outside keep what the picture began with
 };
 

@@ -12,6 +12,7 @@ namespace pileus::view {
 namespace {
 
 constexpr int kUnrolledLights = 3;
+constexpr int kOctaves = 8;
 
 }  // namespace
 
@@ -46,6 +47,16 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   PILEUS_CHECK(lights_.check());
   PILEUS_TRY(residency_, march_.prepare(gpu, scene_->options, lights_, ms));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
+  const bool grid = scene_->options.scatter.kind == Scattering::Grid &&
+                    scene_->options.layer.kind != PictureLayer::Kind::Depth;
+  if (grid) {
+    if (!scatter_) scatter_ = std::make_unique<ScatterSolve>(scene_, scatterCache_);
+    PILEUS_TRY(const double solved, scatter_->step(gpu, ms));
+    if (solved < 1) return 0.1 + 0.1 * solved;
+    // Its pass has had the bricks made resident for itself.
+    PILEUS_TRY(residency_, march_.prepare(gpu, scene_->options, lights_, ms));
+    if (residency_.fraction < 1) return 0.1 * residency_.fraction;
+  }
   if (!picture_) PILEUS_CHECK(start(gpu));
   PILEUS_CHECK(lights_.bind(gpu.store, march_.run.table(), march_.run.origin()));
   gl::RegionCursor& cursor = march_.run.cursor;
@@ -66,11 +77,15 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
   const int lights = std::max(int(lights_.lights().size()), 1);
   const bool depth = o.layer.kind == PictureLayer::Kind::Depth;
+  const int octaves = o.scatter.kind == Scattering::Octaves && !depth ? kOctaves : 1;
   PILEUS_TRY(gl::Program * program, march_.bind(gpu, "view/volume_render.comp.glsl", o, lights_, budget_,
                                                 {{"LIGHTS", lights <= kUnrolledLights ? lights : 0},
                                                  {"DEPTH", depth},
                                                  {"BACKDROP", !backdrop_.empty()},
+                                                 {"SCATTER_GRID", scatter_ != nullptr},
+                                                 {"OCTAVES", octaves},
                                                  {"EMISSION", emission_}}));
+  if (scatter_) scatter_->field()->bind(*program, march_.run.origin());
   if (!backdrop_.empty()) backdrop_.bind(*program);
   program->set("lightCount", lights);
   program->set("sampleIndex", picture_->samples);

@@ -5,6 +5,7 @@
 #include "renderer/view/environment_table.h"
 #include "renderer/view/picture.h"
 #include "renderer/view/render_scene.h"
+#include "renderer/view/scatter_solve.h"
 
 namespace pileus::view {
 
@@ -18,6 +19,10 @@ class VolumeRenderPass {
   /// residency::MarchBudget::kNever); before the first step.
   void pauseAfter(int iterations) { pauseAfter_ = iterations; }
   int dispatches() const { return march_.run.dispatches(); }
+  /// Where solutions of scattered light are kept beyond the pass; before the first step.
+  void keepScatterIn(std::shared_ptr<ScatterCache> cache) { scatterCache_ = std::move(cache); }
+  /// Of the picture; null: there is none, or not yet.
+  std::shared_ptr<const ScatterField> scatterField() const { return scatter_ ? scatter_->field() : nullptr; }
   /// What the texels of regions still to come hold, stretched to the picture; before the first step.
   void beginWith(std::shared_ptr<const Picture> seed) { seed_ = std::move(seed); }
   /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several);
@@ -30,7 +35,7 @@ class VolumeRenderPass {
   void addLayer(Picture::Named layer) { picture_->layers.push_back(std::move(layer)); }
   /// What the brick pool could hold, as of the last step.
   const residency::Residency& residency() const { return residency_; }
-  double takeGpuMs() { return march_.run.takeGpuMs(); }
+  double takeGpuMs() { return march_.run.takeGpuMs() + (scatter_ ? scatter_->takeGpuMs() : 0); }
 
  private:
   Result<void> start(const shadow::Gpu& gpu);
@@ -46,6 +51,8 @@ class VolumeRenderPass {
   int pauseAfter_ = 0;
   bool emission_ = false;  ///< counts, and there is some
   Backdrop backdrop_;
+  std::shared_ptr<ScatterCache> scatterCache_;
+  std::unique_ptr<ScatterSolve> scatter_;
 };
 
 }  // namespace pileus::view

@@ -1,7 +1,8 @@
 // Camera rays through the media of a scene, front to back and up to the nearest solid. Places are relative to
 // the pass's origin, which is the eye or the part of the media nearest to it. A shader that includes this
 // says what it makes of them: passStep and addSample. Variant constants: SOLIDS (1: there are some to draw),
-// RESUME (1: a ray may take several dispatches, lib/resume.glsl), SHAPES and those of lib/stretch.glsl.
+// RESUME (1: a ray may take several dispatches, lib/resume.glsl), SHAPES and those of lib/stretch.glsl; with
+// STRETCH_SCALED what is seen through media is seen through their scaled extinction, and in three channels.
 #pragma once
 #include "lib/camera.glsl"
 #include "lib/stretch.glsl"
@@ -24,7 +25,20 @@ struct CameraRay {
   vec3 normal;
 };
 
-float T = 1.0;  // of the media in front of what is looked at
+#if STRETCH_SCALED
+#define Through vec3
+float mostOf(vec3 t) { return max(max(t.r, t.g), t.b); }
+#else
+#define Through float
+float mostOf(float t) { return t; }
+#endif
+
+Through T = Through(1.0);  // of the media in front of what is looked at
+#if STRETCH_SCALED
+float clear = 1.0;         // of the same, but not scaled: what alpha lacks
+#else
+#define clear T
+#endif
 
 // Each step that is looked at, whether there is something in it or not.
 void passStep(Stretch s, inout StretchSample x);
@@ -36,11 +50,20 @@ float nextCut(Stretch s);
 // False: the same step is due once more.
 bool addSample(CameraRay ray, Stretch s, StretchSample x);
 
+// The optical depth of a step that is seen through.
+Through seenDepthOf(StretchSample x) {
+#if STRETCH_SCALED
+  return x.extinction * x.ds;
+#else
+  return depthOf(x);
+#endif
+}
+
 // What of the light behind a step comes through, and the mean of that over the step.
-float through(StretchSample x) { return exp(-depthOf(x)); }
-float meanThrough(StretchSample x) {
-  float depth = depthOf(x);
-  return depth < 1e-2 ? 1.0 - depth * (0.5 - depth / 6.0) : (1.0 - exp(-depth)) / depth;
+Through through(StretchSample x) { return exp(-seenDepthOf(x)); }
+Through meanThrough(StretchSample x) {
+  Through depth = seenDepthOf(x), even = (1.0 - exp(-depth)) / max(depth, 1e-2);
+  return mix(even, 1.0 - depth * (0.5 - depth / 6.0), 1.0 - step(1e-2, depth));
 }
 
 // r: xy place in the pixel, z offset of the samples.
@@ -58,7 +81,7 @@ void findSolid(inout CameraRay ray) {
   if (kSolids) ray.end = nearestSolid(solidCount, eye, ray.d, ray.solid, ray.normal);
 }
 
-bool meetsSolid(CameraRay ray) { return kSolids && ray.end < kNoHit && T >= kOpaque && !paused; }
+bool meetsSolid(CameraRay ray) { return kSolids && ray.end < kNoHit && mostOf(T) >= kOpaque && !paused; }
 vec3 solidPoint(CameraRay ray) { return eye + ray.end * ray.d; }
 // From where rays that leave it start.
 vec3 solidClear(CameraRay ray) {
@@ -90,8 +113,11 @@ void marchStretch(CameraRay ray, inout Stretch s) {
   do {
     if (done) x = nextSample(s);
     done = addSample(ray, s, x);
-    T *= done && !paused ? through(x) : 1.0;
-    more = !done || (hasSteps(s) && T >= kOpaque);
+    T *= done && !paused ? through(x) : Through(1.0);
+#if STRETCH_SCALED
+    clear *= done && !paused ? exp(-depthOf(x)) : 1.0;
+#endif
+    more = !done || (hasSteps(s) && mostOf(T) >= kOpaque);
     if (done && !paused) stepDone(vec2(s.at, s.wanted), more);
   } while (more && !paused);
 }
@@ -104,7 +130,7 @@ void marchMedia(CameraRay ray) {
     if (!nextStretch(s, pixelAngle * metres(s.next), stepScale)) break;
     if (s.count > 0) marchStretch(ray, s);
     else passGap();
-    bool more = T >= kOpaque && !endsHere(s);
+    bool more = mostOf(T) >= kOpaque && !endsHere(s);
     if (!paused) stretchDone(s.next, more);
     inMedia = more && !paused;
   }

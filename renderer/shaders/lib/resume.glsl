@@ -21,9 +21,12 @@ void forgetLights() {
   for (int l = 0; l < REACHED; ++l) reached[l] = 0.0;
 }
 
+vec4 seenBeside = vec4(0.0);  // what a pass keeps besides
+
 #if RESUME
 struct MarchState {
   vec4 seen;   // whatever the pass has gathered of the ray so far
+  vec4 beside;
   vec2 place;  // where the stretch of the camera ray begins
   vec2 step;   // next one of that stretch: where it begins, its length
   int light;   // first one whose part in that step is missing
@@ -61,6 +64,7 @@ bool goOn(int slot, inout vec4 seen) {
   if (dispatchIndex == 0) return true;
   state = states[slot];
   seen = state.seen;
+  seenBeside = state.beside;
   lit = state.lit == 1;
   reached = state.reached;
   return state.phase != kFinished;
@@ -68,6 +72,7 @@ bool goOn(int slot, inout vec4 seen) {
 // Behind all work of a dispatch.
 void keep(int slot, vec4 seen) {
   state.seen = seen;
+  state.beside = seenBeside;
   state.lit = lit ? 1 : 0;
   state.reached = reached;
   if (!paused) state.phase = kFinished;

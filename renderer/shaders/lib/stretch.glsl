@@ -7,7 +7,8 @@
 // are visited one by one), EMISSION (1: some volumes emit, and it counts; else, and if undefined, no glow)
 // STRETCH_ALBEDO (1: the active ones' albedo is kept too), PHASE_LOBES (1: and with it the lobes of their
 // phase functions, which are not all Henyey and Greenstein's), STRETCH_IDS (1: it is known which volumes they
-// are) and DENSE (1: there are voxels through which no light comes, so that a step looks at its end too, lest
+// are), STRETCH_SCALED (1, with STRETCH_ALBEDO: scaled extinction and scattering are summed up beside, of
+// phase functions whose forward peak goes straight on) and DENSE (1: there are voxels through which no light comes, so that a step looks at its end too, lest
 // a surface is passed between two middles). A branch on a constant is none.
 #pragma once
 #include "lib/volume.glsl"
@@ -30,6 +31,10 @@
 
 #ifndef DENSE
 #define DENSE 0
+#endif
+
+#ifndef STRETCH_SCALED
+#define STRETCH_SCALED 0
 #endif
 
 const bool kOverflow = OVERFLOW != 0;
@@ -55,6 +60,9 @@ struct Stretch {
 #if PHASE_LOBES
   vec4 lobes[ACTIVE];
 #endif
+#if STRETCH_SCALED
+  vec2 scaled[ACTIVE];    // their phase functions
+#endif
 #endif
 #if STRETCH_IDS
   int ids[ACTIVE];
@@ -77,7 +85,20 @@ struct StretchSample {
   float sigma;         // sigma_t of all [1/m]
   vec4 media[ACTIVE];  // factor of the albedo, sigma_t
   vec3 glow;           // radiance that is added per metre
+#if STRETCH_SCALED
+  vec3 extinction, scattering, forward;  // scaled, of all [1/m]; the last one times the mean cosine
+#endif
 };
+
+#if STRETCH_SCALED
+// Of a volume: its albedo, medium and scaled phase function.
+void addScaled(inout StretchSample x, vec4 albedo, vec4 medium, vec2 scaled) {
+  vec3 w = albedo.rgb * medium.rgb, s = medium.w * w * (1.0 - scaled.x);
+  x.extinction += medium.w * (1.0 - w * scaled.x);
+  x.scattering += s;
+  x.forward += s * scaled.y;
+}
+#endif
 
 float metres(vec2 place) { return place.x + place.y; }
 // Metres along the ray to a place in the stretch, and the place.
@@ -149,6 +170,9 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
 #if PHASE_LOBES
         s.lobes[k] = lobesOf(v);
 #endif
+#if STRETCH_SCALED
+        s.scaled[k] = scaledPhaseOf(v);
+#endif
 #endif
       }
     }
@@ -216,11 +240,17 @@ StretchSample look(inout Stretch s, float cut) {
   if (kOverflow) empty = s.rest < s.range.y ? middle : empty;
   bool something = empty <= middle;
   x.sigma = 0.0, x.glow = vec3(0.0);
+#if STRETCH_SCALED
+  x.extinction = vec3(0.0), x.scattering = vec3(0.0), x.forward = vec3(0.0);
+#endif
   for (int k = 0; k < ACTIVE; ++k) {
     vec4 here = mediumAt(s.rays[k], at[k]);
     x.media[k] = k < s.count && something ? here : vec4(vec3(1.0), 0.0);
     x.sigma += x.media[k].w;
     x.glow += k < s.count && something ? glowOf(s, k, x.media[k]) : vec3(0.0);
+#if STRETCH_SCALED
+    addScaled(x, s.albedo[k], x.media[k], s.scaled[k]);
+#endif
   }
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
@@ -229,6 +259,9 @@ StretchSample look(inout Stretch s, float cut) {
         vec4 here = mediumAt(ray, middle);
         x.sigma += here.w;
         x.glow += glowOf(item, ray, here);
+#if STRETCH_SCALED
+        addScaled(x, albedoOf(tileItem(item)), here, scaledPhaseOf(tileItem(item)));
+#endif
       }
     }
   }

@@ -31,6 +31,8 @@ vec4 boundsMax(int v) { return volumeRow(v, 9); }
 vec4 albedoOf(int v) { return volumeRow(v, 10); }
 // g and alpha of a volume's lobes.
 vec4 lobesOf(int v) { return volumeRow(v, 14); }
+// The share of its phase function that goes straight on, and the mean cosine of the rest.
+vec2 scaledPhaseOf(int v) { return volumeRow(v, 11).zw; }
 float detailOf(int v) { return volumeRow(v, 11).x; }
 ivec4 shapeOf(int v) { return ivec4(sceneBits(v * VOLUME_ROWS + 12)); }
 ivec4 levelRecord(ivec4 shape, int level) { return ivec4(sceneBits(shape.y + level)); }

@@ -25,7 +25,8 @@ struct VolumeRecord {
   vec4 boundsMax;  // local; w: uniform density of a box or ball
   vec4 albedo;  // rgb; w: g of Henyey and Greenstein, or with PHASE_LOBES the share of the second lobe. Of
                 // what emits: factor of the table's rgb, radiance gained per metre
-  vec4 detail;  // x: smallest detail [m]
+  vec4 detail;  // x: smallest detail [m], y: shortest mean free path [m], z: share of the phase function that
+                // goes straight on, w: mean cosine of the rest (scene::scaledPhase)
   ivec4 shape;  // x: SHAPE_*, y: texel of its first LevelRecord, z: number of levels, w: first resident level
   vec4 remap;  // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d +
                // z; w: empty up to it

@@ -3,10 +3,22 @@
 // where steps begin and end. The march ends at the nearest solid, which adds T_cam albedo / pi SUM E
 // cos T_light. What emits adds its radiance per metre to the source, and lights nothing.
 // Behind all that lies what is seen of environments.
-// Variant constants: BACKDROP (1: there is one), LIGHTS (their number, or 0: lightCount), REACHED (at least
+// With SCATTER_GRID light that has been scattered before comes from a lattice of its moments
+// (view/scatter_field.h), and what peaks of phase functions scatter forward counts as going straight on, on
+// all ways (Nakajima and Tanaka 1988): so what is scattered once has its exact phase function still.
+// With OCTAVES so many sums stand for it, each with less light, depth and direction than the one before
+// (Wrenninge 2013).
+// Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or 0: lightCount), REACHED (at least
 // as many), DEPTH (1: no light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
 // lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
+#ifndef SCATTER_GRID
+#define SCATTER_GRID 0
+#endif
+#ifndef OCTAVES
+#define OCTAVES 1
+#endif
+#define STRETCH_SCALED SCATTER_GRID
 #include "lib/camera_march.glsl"
 #include "lib/light_transmittance.glsl"
 #include "lib/random.glsl"
@@ -20,6 +32,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #define BACKDROP 0
 #endif
 #include "lib/backdrop.glsl"
+#if SCATTER_GRID
+#include "lib/scatter_field.glsl"
+#endif
 
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2D target;
 uniform int lightCount, sampleIndex, samples;  // at least one light (a black one, if need be)
@@ -84,10 +99,10 @@ vec3 scattering(Stretch s, StretchSample x, float cosine, float narrow) {
   return sum;
 }
 
-// The same of what light l sends, over a step. Light travels along -towards and is scattered into -d: the
+// The same of what light l sends, over a step; phase functions with `contrast` of their directions. Light travels along -towards and is scattered into -d: the
 // cosine is that between the two directions of travel. A near light's turns on the way; at an angle a it is
 // -sin a, and each angle has the same part in 1/r^2.
-vec3 scattering(Stretch s, StretchSample x, int l, Passage q) {
+vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
 #if LOCAL_LIGHTS
   bool sun = lights[l].items.w == LIGHT_SUN;
   // Two points of Gauss in parts of a quarter radian: 0.5 % off at g = 0.8.
@@ -98,26 +113,36 @@ vec3 scattering(Stretch s, StretchSample x, int l, Passage q) {
   do {
     float part = points == 1 ? 0.5 : (float(i / 2) + 0.5 + ((i & 1) == 0 ? -kGauss : kGauss)) / parts;
     sum += scattering(s, x, sun ? dot(lights[l].towards.xyz, s.d) : -sin(q.angles.x + part * turn),
-                      sun ? lights[l].towards.w : 1.0);
+                      contrast * (sun ? lights[l].towards.w : 1.0));
     ++i;
   } while (i < points);
   return sum / float(points);
 #else
-  return scattering(s, x, dot(lights[l].towards.xyz, s.d), lights[l].towards.w);
+  return scattering(s, x, dot(lights[l].towards.xyz, s.d), contrast * lights[l].towards.w);
 #endif
 }
 
 // Mean over a step of the light that comes out of it where it begins: `first` and `last` reach its ends, and
 // from one to the other light falls off exponentially, exactly so in what is uniform; what is between costs
 // the depth of the step.
-float meanReaching(float first, float last, float depth, Passage q) {
-  float fall = log(first / last) + depth, seen = last * exp(-depth);
-  float even = abs(fall) < 0.05 ? 0.5 * (first + seen) * (1.0 - fall * fall / 12.0) : (first - seen) / fall;
+Through meanReaching(Through first, Through last, Through depth, Passage q) {
+  Through fall = log(first / last) + depth, seen = last * exp(-depth);
+  Through flat_ = 1.0 - step(0.05, abs(fall));
+  Through even = mix((first - seen) / (fall + flat_), 0.5 * (first + seen) * (1.0 - fall * fall / 12.0), flat_);
 #if LOCAL_LIGHTS
   // Between that, where 1/r^2 is the same everywhere, and what there is where it has its peak.
   return mix(first * exp(-fall * q.centre), even, q.spread);
 #else
   return even;
+#endif
+}
+
+// Of light l through the media, as the picture counts them.
+Through counted(float transmittance) {
+#if SCATTER_GRID
+  return exp(lightScale * log(transmittance));
+#else
+  return transmittance;
 #endif
 }
 
@@ -149,7 +174,7 @@ float nextCut(Stretch s) {
 }
 
 void addDepth(CameraRay ray, Stretch s, StretchSample x) {
-  L.xy += T * (1.0 - through(x)) * vec2(metresTo(s, middleOf(x)) * ray.forward, 1.0);
+  L.xy += clear * (1.0 - exp(-depthOf(x))) * vec2(metresTo(s, middleOf(x)) * ray.forward, 1.0);
 }
 
 // Where the light is looked up that a step begins or ends with. Next to a face of a volume a hair inside:
@@ -179,8 +204,18 @@ bool addScattered(Stretch s, StretchSample x) {
       float reaches = max(lightTransmittance(l, end), kNoLight);
       lightDone(l);
       Passage q = passage(l, from, s.d, x.ds);
-      float part = openTo(l, middle) * q.falloff * meanReaching(reached[l], reaches, depthOf(x), q);
-      vec3 source = part * lights[l].emitted.rgb * scattering(s, x, l, q);
+      vec3 open = openTo(l, middle) * q.falloff * lights[l].emitted.rgb;
+      vec3 source = scattering(s, x, l, q, 1.0) *
+                    meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
+#if OCTAVES > 1
+      float share = 1.0;
+      for (int n = 1; n < OCTAVES; ++n) {
+        share *= 0.5;
+        source += share * scattering(s, x, l, q, share) *
+                  meanReaching(pow(reached[l], share), pow(reaches, share), seenDepthOf(x), q);
+      }
+#endif
+      source *= open;
       sum += begin || paused || x.sigma <= 0.0 ? vec3(0.0) : source;
       reached[l] = paused ? reached[l] : reaches;
     }
@@ -188,6 +223,9 @@ bool addScattered(Stretch s, StretchSample x) {
   } while (l < lightsHere());
   L += T * x.ds * sum;
   if (paused) return true;
+#if SCATTER_GRID
+  x.glow += scatteredAgain(middle, -s.d, x.scattering, x.forward);
+#endif
   if (!begin) L += T * x.ds * meanThrough(x) * x.glow;
   lit = x.sigma > 0.0;
   if (begin) lightsAgain();
@@ -210,20 +248,24 @@ vec3 reflected(CameraRay ray) {
     sum += arriving * max(dot(ray.normal, towards), 0.0);
     ++l;
   } while (l < lightCount);
+#if SCATTER_GRID
+  sum += paused ? vec3(0.0) : scatteredOnto(off, ray.normal);
+#endif
   return sum * solidAlbedo(ray.solid) / 3.14159265358979;
 }
 
 void addSolid(CameraRay ray) {
   if (kDepth)
-    L += T * vec3(ray.end * ray.forward, 1.0, 0.0);
+    L += clear * vec3(ray.end * ray.forward, 1.0, 0.0);
   else
     L += T * reflected(ray);
-  T = paused ? T : 0.0;
+  T = paused ? T : Through(0.0);
+  clear = paused ? clear : 0.0;
 }
 
 // What is not a number is stored as such: whoever reads the picture back says at which pixel it is.
 void storeRadiance(ivec2 pixel, vec4 before) {
-  vec4 now = vec4(L, 1.0 - T);
+  vec4 now = vec4(L, 1.0 - clear);
   imageStore(target, pixel, before + (now - before) / float(sampleIndex + 1));
 }
 
@@ -240,15 +282,21 @@ void main() {
   CameraRay ray = cameraRay(pixel, pixelSample(pixel, sampleIndex, samples));
   vec4 seen = vec4(0.0, 0.0, 0.0, 1.0);
   if (!goOn(regionSlot(pixel), seen)) return;
-  L = seen.rgb, T = seen.a;
+  L = seen.rgb, clear = seen.a, T = Through(seen.a);
+#if SCATTER_GRID
+  if (RESUME != 0 && seenBeside.w > 0.0) T = seenBeside.rgb;
+#endif
   findSolid(ray);
   marchMedia(ray);
-  if (T < kOpaque) T = 0.0;
+  if (mostOf(T) < kOpaque) T = Through(0.0), clear = 0.0;
   if (meetsSolid(ray)) addSolid(ray);
 #if BACKDROP
   if (!paused && ray.end >= kNoHit) L += T * backdrop(ray.d);
 #endif
-  keep(regionSlot(pixel), vec4(L, T));
+#if SCATTER_GRID
+  seenBeside = vec4(T, 1.0);
+#endif
+  keep(regionSlot(pixel), vec4(L, clear));
   if (paused) return;
   vec4 before = sampleIndex == 0 ? vec4(0.0) : imageLoad(target, pixel);
   if (kDepth)

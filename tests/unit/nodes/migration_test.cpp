@@ -14,17 +14,17 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A default that changed after format 1.
+/// A default that changed after a format.
 struct Changed {
   std::string type, param, before, now;
   std::string name() const { return type + "." + param; }
 };
 
-/// All of them: the list of format 1 against the registry. A parameter that is new since has no line there,
-/// unless files of format 1 were read as one of its values has it now.
-std::vector<Changed> changedDefaults() {
-  std::istringstream list(
-      readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/defaults1.txt").value());
+/// All of them: the list of that format against the registry. A parameter that is new since has no line
+/// there, unless files of that format were read as one of its values has it now.
+std::vector<Changed> changedDefaults(int format) {
+  const std::string name = "/tests/unit/nodes/fixtures/defaults" + std::to_string(format) + ".txt";
+  std::istringstream list(readFile(std::string(PILEUS_SOURCE_DIR) + name).value());
   std::vector<Changed> out;
   for (std::string line; std::getline(list, line);) {
     const std::size_t equals = line.find(" = "), dot = line.rfind('.', equals);
@@ -45,7 +45,7 @@ Json valueJson(const std::string& text) {
   return json.is_discarded() ? Json(text) : json;
 }
 
-Json fileOf(const Json& nodes, int format = 1) {
+Json fileOf(const Json& nodes, int format) {
   return {{"pileus", format}, {"nodes", nodes}, {"links", Json::array()}};
 }
 
@@ -62,38 +62,47 @@ std::string valueOf(const Graph& graph, const Changed& c, double frame = 1) {
   return node ? formatParam(spec, paramValue(*node, spec, frame)) : "no node";
 }
 
-TEST(Migration, FormatOneKeepsWhatWasADefault) {
-  const auto changed = changedDefaults();
-  EXPECT_GE(changed.size(), 2u);
-  for (const Changed& c : changed) {
-    SCOPED_TRACE(c.name());
-    for (const Json& node : {Json{{"type", c.type}}, Json{{"type", c.type}, {"params", Json::object()}}}) {
-      const Graph old = parsed(fileOf({{"N", node}}));
-      EXPECT_EQ(valueOf(old, c), c.before);
-      EXPECT_EQ(valueOf(parsed(Json::parse(graphText(old))), c), c.before) << "and saved as format 2";
-      EXPECT_EQ(valueOf(parsed(fileOf({{"N", node}}, 2)), c), c.now) << "which means the new one";
+/// Calls `body(format, changed default)` for all formats of before.
+template <class Body>
+void forChangedDefaults(const Body& body) {
+  for (int format = 1; format < kFormatVersion; ++format) {
+    const std::vector<Changed> all = changedDefaults(format);
+    EXPECT_FALSE(all.empty()) << format;
+    for (const Changed& c : all) {
+      SCOPED_TRACE(std::to_string(format) + " " + c.name());
+      body(format, c);
     }
   }
 }
 
+TEST(Migration, OldFormatsKeepWhatWasADefault) {
+  forChangedDefaults([](int format, const Changed& c) {
+    for (const Json& node : {Json{{"type", c.type}}, Json{{"type", c.type}, {"params", Json::object()}}}) {
+      const Graph old = parsed(fileOf({{"N", node}}, format));
+      EXPECT_EQ(valueOf(old, c), c.before);
+      EXPECT_EQ(valueOf(parsed(Json::parse(graphText(old))), c), c.before) << "and saved as the newest";
+      EXPECT_EQ(valueOf(parsed(fileOf({{"N", node}}, kFormatVersion)), c), c.now)
+          << "which means the new one";
+    }
+  });
+}
+
 TEST(Migration, KeepsItInGroupsWithinGroups) {
-  for (const Changed& c : changedDefaults()) {
-    SCOPED_TRACE(c.name());
+  forChangedDefaults([](int format, const Changed& c) {
     const auto group = [](const Json& nodes) -> Json {
       return {{"Group", {{"type", "group"}, {"graph", {{"nodes", nodes}, {"links", Json::array()}}}}}};
     };
-    const Graph old = parsed(fileOf(group(group({{"N", {{"type", c.type}}}}))));
+    const Graph old = parsed(fileOf(group(group({{"N", {{"type", c.type}}}})), format));
     const std::vector<std::string> scope{"Group", "Group"};
     ASSERT_TRUE(graphAt(old, scope));
     EXPECT_EQ(valueOf(*graphAt(old, scope), c), c.before);
-  }
+  });
 }
 
 TEST(Migration, LeavesWhatAFileSays) {
-  for (const Changed& c : changedDefaults()) {
-    SCOPED_TRACE(c.name());
+  forChangedDefaults([](int format, const Changed& c) {
     const auto with = [&](const Json& value) {
-      return parsed(fileOf({{"N", {{"type", c.type}, {"params", {{c.param, value}}}}}}));
+      return parsed(fileOf({{"N", {{"type", c.type}, {"params", {{c.param, value}}}}}}, format));
     };
     EXPECT_EQ(valueOf(with(valueJson(c.now)), c), c.now);
     const Json keys = {{"keys", {{1, valueJson(c.now), "constant"}, {2, valueJson(c.before), "constant"}}}};
@@ -102,7 +111,7 @@ TEST(Migration, LeavesWhatAFileSays) {
     EXPECT_EQ(valueOf(animated, c, 2), c.before);
     EXPECT_TRUE(findNode(animated, "N")->params.empty() ||
                 !findNode(animated, "N")->params.contains(c.param));
-  }
+  });
 }
 
 /// What a link brings counts, and what stands below it counts again once the link is muted.
@@ -110,7 +119,8 @@ TEST(Migration, KeepsTheDefaultBelowALink) {
   const Changed radius{"light.point", "radius", "0.01", "0"};
   for (const char* list : {"links", "muted"}) {
     Json file = fileOf({{"N", {{"type", "light.point"}, {"expose", {"radius"}}}},
-                        {"Number", {{"type", "value.number"}, {"params", {{"value", 0.5}}}}}});
+                        {"Number", {{"type", "value.number"}, {"params", {{"value", 0.5}}}}}},
+                       1);
     file[list] = {"Number.value -> N.radius"};
     const Graph old = parsed(file);
     ASSERT_EQ(old.links.size(), 1u);
@@ -128,12 +138,13 @@ TEST(Migration, LeavesWhatIsNoGraphToTheReader) {
     for (const Fault& fault : loaded->faults) all += faultText(fault) + "\n";
     return all;
   };
-  EXPECT_EQ(faults(fileOf({{"N", {{"type", "light.point"}, {"params", 3}}}})),
+  EXPECT_EQ(faults(fileOf({{"N", {{"type", "light.point"}, {"params", 3}}}}, 1)),
             "error: N.params: is not an object\n");
-  EXPECT_EQ(faults(fileOf({{"N", {{"type", 3}}}})), "error: N.type: is missing or not a text\n");
-  EXPECT_EQ(faults(fileOf({{"N", 3}})), "error: N: is not an object\n");
-  EXPECT_EQ(faults(fileOf(3)), "error: nodes: is not an object\n");
-  EXPECT_EQ(faults(fileOf({{"G", {{"type", "group"}, {"graph", 3}}}})), "error: G.graph: is not an object\n");
+  EXPECT_EQ(faults(fileOf({{"N", {{"type", 3}}}}, 1)), "error: N.type: is missing or not a text\n");
+  EXPECT_EQ(faults(fileOf({{"N", 3}}, 1)), "error: N: is not an object\n");
+  EXPECT_EQ(faults(fileOf(3, 1)), "error: nodes: is not an object\n");
+  EXPECT_EQ(faults(fileOf({{"G", {{"type", "group"}, {"graph", 3}}}}, 1)),
+            "error: G.graph: is not an object\n");
 }
 
 }  // namespace

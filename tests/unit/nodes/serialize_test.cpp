@@ -14,7 +14,7 @@
 namespace pileus::nodes {
 namespace {
 
-std::string fixture(const std::string& name = "format2.json") {
+std::string fixture(const std::string& name = "format3.json") {
   return readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/" + name).value();
 }
 
@@ -34,7 +34,7 @@ std::string sunWith(const std::string& params) {
   return withNodes(R"("Sun": {"type": "light.sun", "params": {)" + params + "}}");
 }
 
-/// What both fixtures warn of.
+/// What all fixtures warn of.
 constexpr const char* kFixtureFaults =
     "warning: settings.theme: unknown setting; kept as it is\n"
     "warning: Box.future: unknown member; kept as it is\n"
@@ -50,7 +50,7 @@ void expectFixture(const Graph& graph) {
   EXPECT_TRUE(graph.links.back().muted);
 }
 
-TEST(Serialize, FormatTwoIsReadAndSavedByteForByte) {
+TEST(Serialize, FormatThreeIsReadAndSavedByteForByte) {
   const auto loaded = parseGraph(fixture());
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(graphText(loaded->graph), fixture());
@@ -59,7 +59,20 @@ TEST(Serialize, FormatTwoIsReadAndSavedByteForByte) {
   EXPECT_EQ(loaded->graph.links.size(), 6u);
 }
 
-TEST(Serialize, FormatOneIsReadAndSavedAsFormatTwo) {
+TEST(Serialize, FormatTwoIsReadAndSavedAsFormatThree) {
+  std::string text = fixture("format2.json");
+  const auto loaded = parseGraph(text);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(faultsOf(text), kFixtureFaults);
+  expectFixture(loaded->graph);
+  // Of one node a default changed, and nothing else is new.
+  text.replace(text.find("\"pileus\": 2"), 11, "\"pileus\": 3");
+  const std::string samples = "\"samples\": 4";
+  text.replace(text.find(samples), samples.size(), samples + ",\n        \"scattering\": \"single\"");
+  EXPECT_EQ(graphText(loaded->graph), text);
+}
+
+TEST(Serialize, FormatOneIsReadAndSavedAsFormatThree) {
   std::string text = fixture("format1.json");
   const auto loaded = parseGraph(text);
   ASSERT_TRUE(loaded) << loaded.error().message;
@@ -67,7 +80,7 @@ TEST(Serialize, FormatOneIsReadAndSavedAsFormatTwo) {
   expectFixture(loaded->graph);
   EXPECT_EQ(loaded->graph.links.size(), 4u);
   // Of one node a default changed, and nothing else is new.
-  text.replace(text.find("\"pileus\": 1"), 11, "\"pileus\": 2");
+  text.replace(text.find("\"pileus\": 1"), 11, "\"pileus\": 3");
   const std::string file = "\"file\": \"../smoke/a.vdb\"";
   text.replace(text.find(file), file.size(), file + ",\n        \"level_set\": \"ignore\"");
   EXPECT_EQ(graphText(loaded->graph), text);

@@ -1,0 +1,7 @@
+// What the lattice of scattered light is gathered with and read by; read by C++ and GLSL.
+#ifdef __cplusplus
+#pragma once
+#endif
+#define BIND_SCATTER_CELLS 4
+#define UNIT_SCATTER 14
+#define SCATTER_SAMPLES 8  // of a cell: 2^3; also its faces, where it is solid

@@ -1,0 +1,358 @@
+#include "renderer/transport/solve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/transport/diffusion.h"
+#include "renderer/transport/sweep.h"
+
+namespace pileus::transport {
+namespace {
+
+constexpr int kHistory = 5;
+
+/// The places where light is sent on, and what is known of it there, of one channel: moments where media
+/// scatter, what is received where solids reflect.
+struct Unknowns {
+  std::vector<std::size_t> media, solids;
+
+  std::size_t size() const { return 4 * media.size() + solids.size(); }
+};
+
+using Vector = std::vector<float>;
+
+/// Anderson 1965 (mixing of type II): of the last few iterates x and what a sweep made of them, g(x), the
+/// combination whose change is least.
+class Mixing {
+ public:
+  /// The next x; `weights` of the changes' squares.
+  void next(Vector& x, const Vector& g, const Vector& weights) {
+    Vector change(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) change[i] = g[i] - x[i];
+    if (!lastChange_.empty()) {
+      const std::size_t slot = std::size_t(steps_++ % kHistory);
+      if (changes_.size() <= slot) changes_.emplace_back(), results_.emplace_back();
+      changes_[slot] = change, results_[slot] = g;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        changes_[slot][i] -= lastChange_[i], results_[slot][i] -= lastResult_[i];
+    }
+    lastChange_ = change, lastResult_ = g;
+    const std::array<double, kHistory> by = least(change, weights);
+    x = g;
+    for (std::size_t j = 0; j < changes_.size(); ++j)
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] -= float(by[j]) * results_[j][i];
+  }
+
+ private:
+  /// Least squares by normal equations, a hair regularised.
+  std::array<double, kHistory> least(const Vector& change, const Vector& weights) const {
+    const std::size_t n = changes_.size();
+    double a[kHistory][kHistory + 1] = {};
+    for (std::size_t r = 0; r < n; ++r) {
+      for (std::size_t c = r; c < n; ++c) a[r][c] = a[c][r] = dot(changes_[r], changes_[c], weights);
+      a[r][kHistory] = dot(changes_[r], change, weights);
+    }
+    for (std::size_t r = 0; r < n; ++r) a[r][r] *= 1 + 1e-8;
+    std::array<double, kHistory> out{};
+    for (std::size_t p = 0; p < n; ++p) {
+      std::size_t best = p;
+      for (std::size_t r = p; r < n; ++r)
+        if (std::abs(a[r][p]) > std::abs(a[best][p])) best = r;
+      std::swap_ranges(a[p], a[p] + kHistory + 1, a[best]);
+      if (std::abs(a[p][p]) < 1e-300) return {};
+      for (std::size_t r = p + 1; r < n; ++r) {
+        const double by = a[r][p] / a[p][p];
+        for (std::size_t c = p; c <= kHistory; ++c) a[r][c] -= by * a[p][c];
+      }
+    }
+    for (std::size_t p = n; p-- > 0;) {
+      double sum = a[p][kHistory];
+      for (std::size_t c = p + 1; c < n; ++c) sum -= a[p][c] * out[c];
+      out[p] = sum / a[p][p];
+    }
+    return out;
+  }
+  static double dot(const Vector& a, const Vector& b, const Vector& weights) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += double(weights[i]) * double(a[i]) * double(b[i]);
+    return sum;
+  }
+
+  int steps_ = 0;
+  std::vector<Vector> changes_, results_;
+  Vector lastChange_, lastResult_;
+};
+
+/// Do media and solids the same to all channels?
+bool sameMedia(const Cells& cells) {
+  const auto gray = [](const vec4& v) { return v.x == v.y && v.y == v.z; };
+  return std::all_of(cells.cells.begin(), cells.cells.end(), [&](const Cell& c) {
+    return gray(c.extinction) && gray(c.scattering) && (c.extinction.w > 0 || gray(c.forward));
+  });
+}
+
+/// What all sources together have of each channel.
+vec3 colorOf(const Cells& cells) {
+  dvec3 sum(0);
+  for (const Cell& c : cells.cells)
+    sum += dvec3(c.first[0].w, c.first[1].w, c.first[2].w) + dvec3(vec3(c.glow)) +
+           (c.extinction.w > 0 ? dvec3(vec3(c.forward)) : dvec3(0));
+  return vec3(sum / std::max({sum.x, sum.y, sum.z, 1e-300}));
+}
+
+/// 1 where one will do: everything is the same in all, but for one colour of all light.
+int channelsOf(const Cells& cells) {
+  const vec3 color = colorOf(cells);
+  if (!(color.x > 0) || !sameMedia(cells)) return 3;
+  const auto fits = [&](const vec3& v) {
+    const vec3 off = glm::abs(v - color * (v.x / color.x));
+    return std::max({off.x, off.y, off.z}) <= 1e-4f * std::max({v.x, v.y, v.z});
+  };
+  const bool all = std::all_of(cells.cells.begin(), cells.cells.end(), [&](const Cell& c) {
+    return fits(vec3(c.first[0].w, c.first[1].w, c.first[2].w)) && fits(vec3(c.glow)) &&
+           (c.extinction.w <= 0 || fits(vec3(c.forward)));
+  });
+  return all ? 1 : 3;
+}
+
+bool finite(const vec4& v) { return std::isfinite(v.x + v.y + v.z + v.w); }
+
+class Solver {
+ public:
+  Solver(const Cells& cells, const SolveOptions& options)
+      : cells_(cells),
+        options_(options),
+        count_(cells.lattice.count()),
+        channels_(channelsOf(cells)),
+        sweep_(cells, channels_) {
+    open_.resize(count_);
+    const ivec3 n = cells.lattice.cells;
+    std::size_t i = 0;
+    for (int z = 0; z < n.z; ++z)
+      for (int y = 0; y < n.y; ++y)
+        for (int x = 0; x < n.x; ++x, ++i) {
+          const Cell& cell = cells.cells[i];
+          if (cell.extinction.w <= 0) {
+            if (cell.scattering.x + cell.scattering.y + cell.scattering.z > 0) unknowns_.media.push_back(i);
+            continue;
+          }
+          const auto openAt = [&](int a, int side) {
+            ivec3 p(x, y, z);
+            p[a] += side;
+            if (p[a] < 0 || p[a] >= n[a]) return true;
+            const std::size_t other =
+                (std::size_t(p.z) * std::size_t(n.y) + std::size_t(p.y)) * std::size_t(n.x) +
+                std::size_t(p.x);
+            return cells.cells[other].extinction.w <= 0;
+          };
+          for (int a = 0; a < 3; ++a) open_[i] += float(openAt(a, -1)) + float(openAt(a, 1));
+          if (open_[i] > 0) unknowns_.solids.push_back(i);
+        }
+  }
+
+  Result<Solution> run(JobControl& control) {
+    Solution out;
+    out.lattice = cells_.lattice;
+    out.moments.assign(std::size_t(channels_) * count_, vec4(0));
+    for (int c = 0; c < channels_; ++c)
+      if (c == 0 || !sameMedia(cells_)) diffusion_.push_back(std::make_unique<Diffusion>(cells_, c));
+    begin(out);
+    std::array<Vector, 3> x, g, weights;
+    std::array<Mixing, 3> mixing;
+    for (int c = 0; c < channels_; ++c) {
+      for (Vector* v : {&x[std::size_t(c)], &g[std::size_t(c)], &weights[std::size_t(c)]})
+        v->assign(unknowns_.size(), 0.0f);
+      weigh(c, weights[std::size_t(c)]);
+    }
+    gather(out.moments, x);
+    double first = 0;
+    do {
+      if (control.cancelled()) return Error{Code::Cancelled, "cancelled"};
+      send(x);
+      sweep_.run(out.moments);
+      gather(out.moments, g);
+      out.residual = 0;
+      for (std::size_t c = 0; c < std::size_t(channels_); ++c) {
+        // With what diffusion still makes of it the change is about as large as the error.
+        if (options_.accelerated) correct(c, x[c], g[c]);
+        out.residual = std::max(out.residual, changeOf(c, x[c], g[c]));
+      }
+      ++out.sweeps;
+      if (out.sweeps == 1) first = std::max(out.residual, options_.residual * 1.0001);
+      control.progress(
+          std::clamp(std::log(out.residual / first) / std::log(options_.residual / first), 0.0, 0.99));
+      if (out.residual <= options_.residual || out.sweeps >= options_.mostSweeps) break;
+      for (std::size_t c = 0; c < std::size_t(channels_); ++c) mixing[c].next(x[c], g[c], weights[c]);
+    } while (true);
+    account(out);
+    spread(out);
+    return out;
+  }
+
+ private:
+  const Diffusion& diffusionOf(std::size_t c) const {
+    return *diffusion_[std::min(c, diffusion_.size() - 1)];
+  }
+
+  void begin(Solution& out) {
+    if (options_.start.size() == 3 * count_) {
+      std::copy_n(options_.start.begin(), out.moments.size(), out.moments.begin());
+      return;
+    }
+    if (!options_.diffusionStart) return;
+    std::vector<vec4> sources(count_);
+    for (std::size_t c = 0; c < std::size_t(channels_); ++c) {
+      for (std::size_t i = 0; i < count_; ++i) {
+        const Cell& cell = cells_.cells[i];
+        sources[i] = cell.extinction.w > 0
+                         ? vec4(0)
+                         : cell.first[c] + vec4(vec3(0), float(4 * kPi) * cell.glow[int(c)]);
+      }
+      const std::span<vec4> moments = std::span(out.moments).subspan(c * count_, count_);
+      diffusionOf(c).solve(sources, 1e-3, 20, moments);
+      for (vec4& m : moments) {
+        m.w = std::max(m.w, 0.0f);
+        const float length = glm::length(vec3(m));
+        if (length > m.w) m = vec4(vec3(m) * (m.w / length), m.w);
+      }
+    }
+  }
+
+  /// What diffusion makes of a sweep's change.
+  void correct(std::size_t c, const Vector& x, Vector& g) {
+    sources_.assign(count_, vec4(0)), correction_.resize(count_);
+    std::size_t k = 0;
+    for (const std::size_t i : unknowns_.media) {
+      const Cell& cell = cells_.cells[i];
+      sources_[i] = vec4(cell.forward[int(c)] * vec3(g[k] - x[k], g[k + 1] - x[k + 1], g[k + 2] - x[k + 2]),
+                         cell.scattering[int(c)] * (g[k + 3] - x[k + 3]));
+      k += 4;
+    }
+    diffusionOf(c).solve(sources_, 0.05, 4, correction_);
+    k = 0;
+    for (const std::size_t i : unknowns_.media)
+      for (int j = 0; j < 4; ++j) g[k++] += correction_[i][j];
+  }
+
+  /// One channel for all, by their colours.
+  void spread(Solution& out) const {
+    if (channels_ == 3) return;
+    const vec3 color = colorOf(cells_);
+    out.moments.resize(3 * count_);
+    for (std::size_t c = 3; c-- > 0;)
+      for (std::size_t i = 0; i < count_; ++i)
+        out.moments[c * count_ + i] = out.moments[i] * (color[int(c)] / color.x);
+    for (dvec3* v : {&out.given, &out.kept, &out.left}) *v = v->x * dvec3(color / color.x);
+  }
+
+  /// What is known behind a sweep.
+  void gather(const Moments& moments, std::array<Vector, 3>& to) const {
+    for (std::size_t c = 0; c < std::size_t(channels_); ++c) {
+      std::size_t k = 0;
+      for (const std::size_t i : unknowns_.media) {
+        const vec4& m = moments[c * count_ + i];
+        for (int j = 0; j < 4; ++j) to[c][k++] = m[j];
+      }
+      for (const std::size_t i : unknowns_.solids) to[c][k++] = sweep_.received()[i][int(c)];
+    }
+  }
+
+  /// How much of it goes on.
+  void weigh(int c, Vector& weights) const {
+    std::size_t k = 0;
+    const double face = 1 / cells_.lattice.cell;
+    for (const std::size_t i : unknowns_.media)
+      for (int j = 0; j < 4; ++j) weights[k++] = cells_.cells[i].scattering[c];
+    for (const std::size_t i : unknowns_.solids) weights[k++] = cells_.cells[i].scattering[c] * float(face);
+    for (float& w : weights) w *= w;
+  }
+
+  double changeOf(std::size_t c, const Vector& x, const Vector& g) const {
+    double change = 0, all = 0;
+    std::size_t k = 3;
+    for (const std::size_t i : unknowns_.media) {
+      const double s = double(cells_.cells[i].scattering[int(c)]);
+      change += s * std::abs(double(g[k]) - double(x[k])), all += s * std::abs(double(g[k]));
+      k += 4;
+    }
+    k -= 3;
+    for (const std::size_t i : unknowns_.solids) {
+      const double s = double(cells_.cells[i].scattering[int(c)]) / cells_.lattice.cell;
+      change += s * std::abs(double(g[k]) - double(x[k])), all += s * std::abs(double(g[k]));
+      ++k;
+    }
+    return all > 0 ? change / all : 0;
+  }
+
+  /// Sources of the next sweep.
+  void send(const std::array<Vector, 3>& x) {
+    const float per = float(1 / (4 * kPi)), flux = float(Sweep::halfFlux());
+    for (std::size_t c = 0; c < std::size_t(channels_); ++c) {
+      const int channel = int(c);
+      for (std::size_t i = 0; i < count_; ++i) {
+        const Cell& cell = cells_.cells[i];
+        const vec4& first = cell.first[c];
+        sweep_.sources()[c * count_ + i] =
+            per * vec4(3.0f * vec3(first), first.w) + vec4(vec3(0), cell.glow[channel]);
+      }
+      std::size_t k = 0;
+      for (const std::size_t i : unknowns_.media) {
+        const Cell& cell = cells_.cells[i];
+        sweep_.sources()[c * count_ + i] +=
+            per * vec4(3 * cell.forward[channel] * vec3(x[c][k], x[c][k + 1], x[c][k + 2]),
+                       cell.scattering[channel] * x[c][k + 3]);
+        k += 4;
+      }
+      for (const std::size_t i : unknowns_.solids) {
+        const Cell& cell = cells_.cells[i];
+        sweep_.sent()[i][channel] =
+            (cell.scattering[channel] * x[c][k++] / open_[i] + cell.forward[channel]) / flux;
+      }
+    }
+  }
+
+  void account(Solution& out) const {
+    const double h = cells_.lattice.cell, volume = h * h * h;
+    for (int c = 0; c < channels_; ++c) {
+      for (std::size_t i = 0; i < count_; ++i) {
+        const Cell& cell = cells_.cells[i];
+        if (cell.extinction.w > 0) {
+          const double received = double(sweep_.received()[i][c]);
+          out.given[c] += h * h * double(cell.forward[c]) * double(open_[i]);
+          out.kept[c] += h * h * received * (1 - double(cell.scattering[c]));
+          continue;
+        }
+        const double phi = double(out.moments[std::size_t(c) * count_ + i].w);
+        out.given[c] += volume * (double(cell.first[c].w) + 4 * kPi * double(cell.glow[c]));
+        out.kept[c] += volume * double(cell.extinction[c] - cell.scattering[c]) * phi;
+      }
+    }
+    out.left = sweep_.leaked();
+  }
+
+  const Cells& cells_;
+  const SolveOptions& options_;
+  std::size_t count_;
+  int channels_;
+  Sweep sweep_;
+  Unknowns unknowns_;
+  std::vector<float> open_;                            ///< faces of solid cells
+  std::vector<std::unique_ptr<Diffusion>> diffusion_;  ///< of each channel, or of all
+  std::vector<vec4> sources_, correction_;
+};
+
+}  // namespace
+
+Result<Solution> solve(const Cells& cells, const SolveOptions& options, JobControl& control) {
+  for (const Cell& cell : cells.cells)
+    for (const vec4& v : {cell.first[0], cell.first[1], cell.first[2], cell.extinction, cell.scattering,
+                          cell.forward, cell.glow})
+      if (!finite(v))
+        return fail(Code::Input, "what media scatter is not finite: is a light or a volume too bright?");
+  if (cells.lattice.count() == 0) return Solution{cells.lattice, {}, 0, 0, {}, {}, {}};
+  Solver solver(cells, options);
+  return solver.run(control);
+}
+
+}  // namespace pileus::transport

@@ -1,0 +1,44 @@
+#pragma once
+// One sweep of discrete ordinates: radiance in all directions by given sources, cell after cell downwind.
+#include <memory>
+
+#include "renderer/transport/lattice.h"
+
+namespace pileus::transport {
+
+/// Finite volumes: what flows into a cell, is emitted and scattered in it is what flows out and is taken away
+/// there, for each direction, to rounding. Between diamond and upwind differences, by each cell's optical
+/// depth. Linear in the sources; a cell may get a little less than nothing next to what is much brighter.
+class Sweep {
+ public:
+  /// Of the first `channels` ones.
+  Sweep(const Cells& cells, int channels);
+  ~Sweep();
+
+  /// Source of a channel's scattered light in a cell: w over all directions is the same, xyz d in direction d
+  /// comes on top [W/(m^3 sr)]. As many as there are moments, in the same order.
+  std::vector<vec4>& sources() { return sources_; }
+  /// Radiance that solid cells send into every direction [W/(m^2 sr)]; per cell.
+  std::vector<vec3>& sent() { return sent_; }
+
+  /// What the sources send through the lattice.
+  void run(Moments& moments);
+  /// Of the last run: what left the lattice, and what solid cells received, per channel [W].
+  dvec3 leaked() const { return leaked_; }
+  /// Per solid cell and channel: mean irradiance of its open faces times their number [W/m^2].
+  const std::vector<vec3>& received() const { return received_; }
+  /// Of a uniform radiance 1 leaving a face into its half space, by these directions; about pi.
+  static double halfFlux();
+
+ private:
+  struct Work;
+  const Cells& cells_;
+  int channels_;
+  std::vector<float> parts_;  ///< of cells, as pass() has them
+  std::vector<vec4> sources_;
+  std::vector<vec3> sent_, received_;
+  std::vector<std::unique_ptr<Work>> work_;  ///< one per group of octants that is swept beside the others
+  dvec3 leaked_{0};
+};
+
+}  // namespace pileus::transport

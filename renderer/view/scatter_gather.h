@@ -1,0 +1,47 @@
+#pragma once
+// What the cells of a lattice hold of the media, and what of the lights is scattered in them for the first
+// time, each light through its own shadow. GL thread.
+#include <memory>
+
+#include "renderer/residency/region_run.h"
+#include "renderer/shadow/gpu.h"
+#include "renderer/transport/lattice.h"
+#include "renderer/view/light_set.h"
+#include "renderer/view/render_scene.h"
+
+namespace pileus::view {
+
+/// The lattice for what is drawn: cells over which light does not turn, (1 - g) sigma_t h <= 1, as far as
+/// `scatter.cells` allow. No cells where nothing scatters or emits.
+transport::Lattice scatterLattice(const volume::InstanceList& volumes, const ScatterOptions& scatter);
+
+/// Optical depths of light, scaled, are so many times those that shadows know, which do not tell one medium
+/// from another: the mean over all that is drawn, exact where phase functions and albedos are the same.
+vec3 scaledLight(const volume::InstanceList& volumes);
+
+class ScatterGather {
+ public:
+  /// Of the layer's lights; `emission`: what emits counts.
+  ScatterGather(std::shared_ptr<const RenderScene> scene, const transport::Lattice& lattice, bool emission);
+  /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
+  Result<double> step(const shadow::Gpu& gpu, double ms);
+  /// Once step() said 1.
+  transport::Cells cells() const;
+  double takeGpuMs() { return run_.takeGpuMs(); }
+  bool empty() const { return lattice_.count() == 0; }
+
+ private:
+  Result<void> start(const shadow::Gpu& gpu);
+  Result<bool> dispatch(const shadow::Gpu& gpu);
+  std::shared_ptr<const RenderScene> scene_;
+  transport::Lattice lattice_;
+  bool emission_;
+  LightSet lights_;
+  vec3 lightScale_;
+  residency::RegionRun run_;
+  residency::MarchBudget budget_;
+  gl::Buffer cells_{"cells of scattered light"};
+  int sample_ = -1;  ///< -1: not begun
+};
+
+}  // namespace pileus::view

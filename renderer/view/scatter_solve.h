@@ -1,0 +1,46 @@
+#pragma once
+// Light that has been scattered more than once, from a scene to what a picture reads: gathered on the GPU,
+// solved for in a job, and kept for as long as what it was made of stays the same. GL thread.
+#include <list>
+#include <memory>
+
+#include "renderer/view/scatter_field.h"
+#include "renderer/view/scatter_gather.h"
+
+namespace pileus::view {
+
+/// The last few solutions of whoever renders one picture after the other: cameras, samples, exposures and the
+/// like leave them as they are.
+class ScatterCache {
+ public:
+  std::shared_ptr<const ScatterField> find(const Key& key);
+  void keep(const Key& key, std::shared_ptr<const ScatterField> field);
+  int solved() const { return solved_; }  ///< how often something was kept
+
+ private:
+  static constexpr std::size_t kMost = 4;
+  std::list<std::pair<Key, std::shared_ptr<const ScatterField>>> fields_;  ///< the last one used first
+  int solved_ = 0;
+};
+
+class ScatterSolve {
+ public:
+  /// `cache` may be null.
+  ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache);
+  /// Works for about `ms` milliseconds, or looks whether the job is done (with infinitely many: waits for
+  /// it); 1 = finished.
+  Result<double> step(const shadow::Gpu& gpu, double ms);
+  /// Once step() said 1.
+  const std::shared_ptr<const ScatterField>& field() const { return field_; }
+  double takeGpuMs() { return gather_ ? gather_->takeGpuMs() : 0; }
+
+ private:
+  std::shared_ptr<const RenderScene> scene_;
+  std::shared_ptr<ScatterCache> cache_;
+  Key key_;
+  std::unique_ptr<ScatterGather> gather_;
+  LooseJob<transport::Solution> job_;
+  std::shared_ptr<const ScatterField> field_;
+};
+
+}  // namespace pileus::view

@@ -119,11 +119,11 @@ Result<void> begin(const In& in, EvalContext& ctx, bool software, Passes& passes
 }
 
 void report(const view::ScatterField& field, EvalContext& ctx) {
-  const transport::Solution& s = field.solution();
-  if (s.sweeps == 0) return;
-  const ivec3 n = s.lattice.cells;
-  ctx.note(fmt::format("scattered light: {} x {} x {} cells, {} sweeps, residual {:.1e}", n.x, n.y, n.z,
-                       s.sweeps, s.residual));
+  for (const transport::Solution& s : field.solutions()) {
+    const ivec3 n = s.lattice.cells;
+    ctx.note(fmt::format("scattered light: {} x {} x {} cells, {} sweeps, residual {:.1e}", n.x, n.y, n.z,
+                         s.sweeps, s.residual));
+  }
 }
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {

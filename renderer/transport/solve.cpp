@@ -102,9 +102,10 @@ vec3 colorOf(const Cells& cells) {
 }
 
 /// 1 where one will do: everything is the same in all, but for one colour of all light.
-int channelsOf(const Cells& cells) {
+int channelsOf(const Cells& cells, const Solution* around) {
   const vec3 color = colorOf(cells);
   if (!(color.x > 0) || !sameMedia(cells)) return 3;
+  if (around && !(around->one && glm::length(around->color - color) < 1e-4f)) return 3;
   const auto fits = [&](const vec3& v) {
     const vec3 off = glm::abs(v - color * (v.x / color.x));
     return std::max({off.x, off.y, off.z}) <= 1e-4f * std::max({v.x, v.y, v.z});
@@ -124,7 +125,7 @@ class Solver {
       : cells_(cells),
         options_(options),
         count_(cells.lattice.count()),
-        channels_(channelsOf(cells)),
+        channels_(channelsOf(cells, options.around)),
         sweep_(cells, channels_) {
     open_.resize(count_);
     const ivec3 n = cells.lattice.cells;
@@ -154,6 +155,8 @@ class Solver {
   Result<Solution> run(JobControl& control) {
     Solution out;
     out.lattice = cells_.lattice;
+    out.color = colorOf(cells_), out.one = channels_ == 1;
+    if (options_.around) takeIn(*options_.around);
     out.moments.assign(std::size_t(channels_) * count_, vec4(0));
     for (int c = 0; c < channels_; ++c)
       if (c == 0 || !sameMedia(cells_)) diffusion_.push_back(std::make_unique<Diffusion>(cells_, c));
@@ -193,6 +196,24 @@ class Solver {
  private:
   const Diffusion& diffusionOf(std::size_t c) const {
     return *diffusion_[std::min(c, diffusion_.size() - 1)];
+  }
+
+  /// What comes in through the faces.
+  void takeIn(const Solution& around) {
+    const Lattice& lattice = cells_.lattice;
+    const ivec3 n = lattice.cells;
+    for (int face = 0; face < 6; ++face) {
+      const int axis = face / 2, u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+      std::vector<vec4>& in = sweep_.incoming(face);
+      for (int c = 0; c < channels_; ++c)
+        for (int j = 0; j < n[v]; ++j)
+          for (int i = 0; i < n[u]; ++i) {
+            dvec3 p;
+            p[u] = i + 0.5, p[v] = j + 0.5, p[axis] = face & 1 ? n[axis] : 0;
+            const vec4 m = momentsAt(around, lattice.min + lattice.cell * p, c);
+            in.push_back(float(1 / (4 * kPi)) * vec4(3.0f * vec3(m), m.w));
+          }
+    }
   }
 
   void begin(Solution& out) {
@@ -328,6 +349,7 @@ class Solver {
         out.kept[c] += volume * double(cell.extinction[c] - cell.scattering[c]) * phi;
       }
     }
+    out.given += sweep_.entered();
     out.left = sweep_.leaked();
   }
 
@@ -344,13 +366,36 @@ class Solver {
 
 }  // namespace
 
+vec4 momentsAt(const Solution& solution, const dvec3& p, int channel) {
+  const Lattice& l = solution.lattice;
+  if (solution.moments.empty()) return vec4(0);
+  const dvec3 q = glm::clamp((p - l.min) / l.cell - 0.5, dvec3(0), dvec3(l.cells - 1));
+  const ivec3 lo = glm::min(ivec3(q), glm::max(l.cells - 2, ivec3(0)));
+  const vec3 part(q - dvec3(lo));
+  vec4 sum(0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const ivec3 at(corner & 1, corner >> 1 & 1, corner >> 2 & 1), cell = glm::min(lo + at, l.cells - 1);
+    float weight = 1;
+    for (int a = 0; a < 3; ++a) weight *= at[a] ? part[a] : 1 - part[a];
+    sum += weight * solution.moments[std::size_t(channel) * l.count() +
+                                     (std::size_t(cell.z) * std::size_t(l.cells.y) + std::size_t(cell.y)) *
+                                         std::size_t(l.cells.x) +
+                                     std::size_t(cell.x)];
+  }
+  return sum;
+}
+
 Result<Solution> solve(const Cells& cells, const SolveOptions& options, JobControl& control) {
   for (const Cell& cell : cells.cells)
     for (const vec4& v : {cell.first[0], cell.first[1], cell.first[2], cell.extinction, cell.scattering,
                           cell.forward, cell.glow})
       if (!finite(v))
         return fail(Code::Input, "what media scatter is not finite: is a light or a volume too bright?");
-  if (cells.lattice.count() == 0) return Solution{cells.lattice, {}, 0, 0, {}, {}, {}};
+  if (cells.lattice.count() == 0) {
+    Solution none;
+    none.lattice = cells.lattice;
+    return none;
+  }
   Solver solver(cells, options);
   return solver.run(control);
 }

@@ -77,7 +77,7 @@ struct Sweep::Work {
   std::vector<Lanes> row, plane;  ///< what enters along y and z, per channel
   std::vector<Lanes> moments;
   std::vector<vec3> received;
-  dvec3 leaked{0};
+  dvec3 leaked{0}, entered{0};
 };
 
 Sweep::Sweep(const Cells& cells, int channels) : cells_(cells), channels_(channels) {
@@ -114,12 +114,29 @@ void Sweep::run(Moments& moments) {
   const std::size_t count = cells_.lattice.count(), texels = std::size_t(channels) * count;
   const double face = cells_.lattice.cell * cells_.lattice.cell;
   const auto sweepOctant = [&](Work& w, const Octant& o) {
-    std::fill(w.plane.begin(), w.plane.end(), Lanes{});
+    const auto enters = [&](int axis, int c, std::size_t cell, std::size_t cells, Lanes weighed) {
+      const std::vector<vec4>& in = incoming_[std::size_t(2 * axis + (o.step[axis] > 0 ? 0 : 1))];
+      if (in.empty()) return Lanes{};
+      const vec4& m = in[std::size_t(c) * cells + cell];
+      const Lanes radiance = m.w + m.x * o.x + m.y * o.y + m.z * o.z,
+                  positive = radiance > 0 ? radiance : Lanes{};
+      w.entered[c] += face * double(sum(weighed * positive));
+      return positive;
+    };
+    const std::size_t across = std::size_t(n.x), layer = across * std::size_t(n.y);
+    for (std::size_t i = 0; i < layer; ++i)
+      for (int c = 0; c < channels; ++c) w.plane[3 * i + std::size_t(c)] = enters(2, c, i, layer, o.weighedZ);
     const auto first = [&](int a) { return o.step[a] > 0 ? 0 : n[a] - 1; };
     for (int k = 0, z = first(2); k < n.z; ++k, z += o.step.z) {
-      std::fill(w.row.begin(), w.row.end(), Lanes{});
+      for (std::size_t x = 0; x < across; ++x)
+        for (int c = 0; c < channels; ++c)
+          w.row[3 * x + std::size_t(c)] =
+              enters(1, c, std::size_t(z) * across + x, across * std::size_t(n.z), o.weighedY);
       for (int j = 0, y = first(1); j < n.y; ++j, y += o.step.y) {
         Lanes along[3] = {};
+        for (int c = 0; c < channels; ++c)
+          along[c] = enters(0, c, std::size_t(z) * std::size_t(n.y) + std::size_t(y),
+                            std::size_t(n.y) * std::size_t(n.z), o.weighedX);
         const std::size_t line = (std::size_t(z) * std::size_t(n.y) + std::size_t(y)) * std::size_t(n.x);
         for (int i = 0, x = first(0); i < n.x; ++i, x += o.step.x) {
           const std::size_t at = line + std::size_t(x);
@@ -170,7 +187,7 @@ void Sweep::run(Moments& moments) {
     Work& w = *work_[std::size_t(g)];
     std::fill(w.moments.begin(), w.moments.end(), Lanes{});
     std::fill(w.received.begin(), w.received.end(), vec3(0));
-    w.leaked = dvec3(0);
+    w.leaked = w.entered = dvec3(0);
     sweepOctant(w, octantOf(g, cells_.lattice.cell));
     sweepOctant(w, octantOf(7 - g, cells_.lattice.cell));
   });
@@ -183,8 +200,8 @@ void Sweep::run(Moments& moments) {
       moments[i] = {m[0], m[1], m[2], m[3]};
     }
   });
-  leaked_ = dvec3(0);
-  for (const auto& w : work_) leaked_ += w->leaked;
+  leaked_ = entered_ = dvec3(0);
+  for (const auto& w : work_) leaked_ += w->leaked, entered_ += w->entered;
   for (std::size_t i = 0; i < count; ++i)
     received_[i] =
         (work_[0]->received[i] + work_[1]->received[i]) + (work_[2]->received[i] + work_[3]->received[i]);

@@ -1,5 +1,6 @@
 #pragma once
 // One sweep of discrete ordinates: radiance in all directions by given sources, cell after cell downwind.
+#include <array>
 #include <memory>
 
 #include "renderer/transport/lattice.h"
@@ -21,10 +22,17 @@ class Sweep {
   /// Radiance that solid cells send into every direction [W/(m^2 sr)]; per cell.
   std::vector<vec3>& sent() { return sent_; }
 
+  /// Radiance that comes in through a face of the lattice, linear in its direction, by moments as sources
+  /// have them: of channel c in [c * cells of the face + cell]. Faces -x +x -y +y -z +z; their cells x before
+  /// y before z. Empty: nothing.
+  std::vector<vec4>& incoming(int face) { return incoming_[std::size_t(face)]; }
+
   /// What the sources send through the lattice.
   void run(Moments& moments);
-  /// Of the last run: what left the lattice, and what solid cells received, per channel [W].
+  /// Of the last run: what left the lattice, per channel [W].
   dvec3 leaked() const { return leaked_; }
+  /// What came in [W].
+  dvec3 entered() const { return entered_; }
   /// Per solid cell and channel: mean irradiance of its open faces times their number [W/m^2].
   const std::vector<vec3>& received() const { return received_; }
   /// Of a uniform radiance 1 leaving a face into its half space, by these directions; about pi.
@@ -38,7 +46,8 @@ class Sweep {
   std::vector<vec4> sources_;
   std::vector<vec3> sent_, received_;
   std::vector<std::unique_ptr<Work>> work_;  ///< one per group of octants that is swept beside the others
-  dvec3 leaked_{0};
+  dvec3 leaked_{0}, entered_{0};
+  std::array<std::vector<vec4>, 6> incoming_;
 };
 
 }  // namespace pileus::transport

@@ -1,6 +1,8 @@
 #pragma once
-// Light that has been scattered at least once, on the GPU: the solution on a lattice, as
+// Light that has been scattered at least once, on the GPU: the solutions on lattices, as
 // lib/scatter_field.glsl reads it. GL thread.
+#include <vector>
+
 #include "renderer/gl/shader_library.h"
 #include "renderer/gl/texture.h"
 #include "renderer/transport/solve.h"
@@ -11,15 +13,15 @@ class ScatterField {
  public:
   /// `lightScale`: scaledLight() of the media it was made for. Error (Gpu) where the driver has no texture of
   /// that size.
-  static Result<ScatterField> create(transport::Solution solution, const vec3& lightScale);
+  static Result<ScatterField> create(std::vector<transport::Solution> solutions, const vec3& lightScale);
   /// To its unit, and its place into the program, whose positions count from `origin`.
   void bind(gl::Program& program, const dvec3& origin) const;
-  /// Without the moments, which are on the GPU.
-  const transport::Solution& solution() const { return solution_; }
+  /// The first one around all, the others within it; without the moments, which are on the GPU. May be none.
+  const std::vector<transport::Solution>& solutions() const { return solutions_; }
   std::size_t bytes() const { return moments_.bytes(); }
 
  private:
-  transport::Solution solution_;
+  std::vector<transport::Solution> solutions_;
   vec3 lightScale_{1};
   gl::Texture moments_;
 };

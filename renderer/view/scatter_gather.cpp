@@ -12,7 +12,34 @@
 namespace pileus::view {
 namespace {
 
-constexpr int kLeastCells = 24;  ///< along the longest edge, if so many are allowed
+constexpr int kLeastCells = 32;     ///< along the longest edge, if so many are allowed
+constexpr double kTurning = 0.125;  ///< transport depth of a cell: what finer ones would tell is not seen
+
+/// Of the media: where it is, and its densest transport extinction [1/m].
+struct Part {
+  Box3 box;
+  double turning = 0;
+  double edge() const {
+    const dvec3 size = box.size();
+    return std::max({size.x, size.y, size.z});
+  }
+};
+
+Part joined(Part a, const Part& b) {
+  a.box.extend(b.box);
+  a.turning = std::max(a.turning, b.turning);
+  return a;
+}
+
+bool touch(const Box3& a, const Box3& b) {
+  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+}
+
+transport::Lattice latticeOf(const Part& p, int most) {
+  const double wanted = std::ceil(p.edge() * p.turning / kTurning);
+  return transport::latticeOver(p.box,
+                                int(std::clamp(wanted, double(std::min(kLeastCells, most)), double(most))));
+}
 
 bool scatters(const volume::Instance& i) {
   return !i.emission && volume::majorant(i) > 0 &&
@@ -71,22 +98,40 @@ void markSolids(const scene::SolidList& solids, transport::Cells& out) {
 
 }  // namespace
 
-transport::Lattice scatterLattice(const volume::InstanceList& volumes, const ScatterOptions& scatter) {
-  Box3 box;
-  double densest = 0;  // transport extinction
-  bool any = false;
+std::vector<transport::Lattice> scatterLattices(const volume::InstanceList& volumes,
+                                                const ScatterOptions& scatter) {
+  std::vector<Part> parts;
+  Part all;
   for (const volume::Instance& i : volumes) {
     if (!scatters(i)) continue;
-    any = true;
-    box.extend(volume::worldBulkBounds(i));
+    const Box3 box = volume::worldBulkBounds(i);
+    if (box.empty()) continue;
     const scene::ScaledPhase scaled = scene::scaledPhase(i.medium.phase);
-    densest = std::max(densest, volume::majorant(i) * (1 - scaled.forward) * (1 - scaled.cosine));
+    parts.push_back({box, volume::majorant(i) * (1 - scaled.forward) * (1 - scaled.cosine)});
+    all = joined(all, parts.back());
   }
-  if (!any || box.empty()) return {};
-  const dvec3 size = box.size();
-  const double wanted = std::ceil(std::max({size.x, size.y, size.z}) * densest);
-  return transport::latticeOver(
-      box, int(std::clamp(wanted, double(std::min(kLeastCells, scatter.cells)), double(scatter.cells))));
+  if (all.box.empty()) return {};
+  std::vector<transport::Lattice> out{latticeOf(all, scatter.cells)};
+  // What light turns in over a cell wants finer ones; what of that touches belongs together.
+  std::erase_if(parts, [&](const Part& p) { return p.turning * out[0].cell <= 2 * kTurning; });
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < parts.size() && !again; ++i)
+      for (std::size_t j = i + 1; j < parts.size() && !again; ++j)
+        if (touch(parts[i].box, parts[j].box)) {
+          parts[i] = joined(parts[i], parts[j]);
+          parts.erase(parts.begin() + std::ptrdiff_t(j));
+          again = true;
+        }
+  }
+  constexpr double kMuchSmaller = 0.7;
+  std::erase_if(parts, [&](const Part& p) { return p.edge() > kMuchSmaller * all.edge(); });
+  // The largest ones, if there are too many.
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.edge() > b.edge(); });
+  for (std::size_t i = 0; i < parts.size() && out.size() < SCATTER_LATTICES; ++i)
+    out.push_back(latticeOf(parts[i], scatter.cells));
+  return out;
 }
 
 vec3 scaledLight(const volume::InstanceList& volumes) {

@@ -11,9 +11,11 @@
 
 namespace pileus::view {
 
-/// The lattice for what is drawn: cells over which light does not turn, (1 - g) sigma_t h <= 1, as far as
-/// `scatter.cells` allow. No cells where nothing scatters or emits.
-transport::Lattice scatterLattice(const volume::InstanceList& volumes, const ScatterOptions& scatter);
+/// The lattices for what is drawn: cells over which light hardly turns, (1 - g) sigma_t h <= 1/8, as far as
+/// `scatter.cells` allow. The first one lies around all; where that is too coarse finer ones lie within it,
+/// around what is dense and much smaller, apart from each other. None where nothing scatters.
+std::vector<transport::Lattice> scatterLattices(const volume::InstanceList& volumes,
+                                                const ScatterOptions& scatter);
 
 /// Optical depths of light, scaled, are so many times those that shadows know, which do not tell one medium
 /// from another: the mean over all that is drawn, exact where phase functions and albedos are the same.
@@ -28,7 +30,6 @@ class ScatterGather {
   /// Once step() said 1.
   transport::Cells cells() const;
   double takeGpuMs() { return run_.takeGpuMs(); }
-  bool empty() const { return lattice_.count() == 0; }
 
  private:
   Result<void> start(const shadow::Gpu& gpu);

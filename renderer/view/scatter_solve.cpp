@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/profile.h"
+
 namespace pileus::view {
 namespace {
 
@@ -30,6 +32,20 @@ Key keyOf(const RenderScene& scene, bool emission) {
   return h.key();
 }
 
+/// The first around all, and the others with what it sends in.
+Result<std::vector<transport::Solution>> solveAll(const std::vector<transport::Cells>& cells, double residual,
+                                                  JobControl& control) {
+  std::vector<transport::Solution> out;
+  for (const transport::Cells& c : cells) {
+    transport::SolveOptions options;
+    options.residual = residual;
+    options.around = out.empty() ? nullptr : &out.front();
+    PILEUS_TRY(transport::Solution s, transport::solve(c, options, control));
+    out.push_back(std::move(s));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::shared_ptr<const ScatterField> ScatterCache::find(const Key& key) {
@@ -47,32 +63,35 @@ void ScatterCache::keep(const Key& key, std::shared_ptr<const ScatterField> fiel
 
 ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache)
     : scene_(std::move(scene)), cache_(std::move(cache)) {
-  const bool emission = scene_->options.layer.kind != Kind::Light && emits(*scene_);
-  key_ = keyOf(*scene_, emission);
+  emission_ = scene_->options.layer.kind != Kind::Light && emits(*scene_);
+  key_ = keyOf(*scene_, emission_);
   if (cache_) field_ = cache_->find(key_);
-  if (field_) return;
-  gather_ = std::make_unique<ScatterGather>(scene_, scatterLattice(scene_->volumes, scene_->options.scatter),
-                                            emission);
+  if (!field_) lattices_ = scatterLattices(scene_->volumes, scene_->options.scatter);
 }
 
 Result<double> ScatterSolve::step(const shadow::Gpu& gpu, double ms) {
   if (field_) return 1.0;
-  const auto keep = [&](transport::Solution solution) -> Result<double> {
-    PILEUS_TRY(ScatterField field, ScatterField::create(std::move(solution), scaledLight(scene_->volumes)));
+  const auto keep = [&](std::vector<transport::Solution> solutions) -> Result<double> {
+    PILEUS_TRY(ScatterField field, ScatterField::create(std::move(solutions), scaledLight(scene_->volumes)));
     field_ = std::make_shared<const ScatterField>(std::move(field));
     if (cache_) cache_->keep(key_, field_);
     job_ = nullptr;
     return 1.0;
   };
+  if (lattices_.empty()) return keep({});
   if (!job_) {
-    if (gather_->empty()) return keep({});
-    PILEUS_TRY(const double gathered, gather_->step(gpu, ms));
-    if (gathered < 1) return 0.5 * gathered;
-    job_ = looseJob<transport::Solution>(
-        [cells = gather_->cells(), residual = scene_->options.scatter.residual](JobControl& control) {
-          transport::SolveOptions options;
-          options.residual = residual;
-          return transport::solve(cells, options, control);
+    const Stopwatch clock;
+    while (cells_.size() < lattices_.size()) {
+      if (!gather_) gather_ = std::make_unique<ScatterGather>(scene_, lattices_[cells_.size()], emission_);
+      PILEUS_TRY(const double gathered, gather_->step(gpu, std::max(ms - clock.ms(), 0.0)));
+      gpuMs_ += gather_->takeGpuMs();
+      if (gathered >= 1) cells_.push_back(gather_->cells()), gather_ = nullptr;
+      if (clock.ms() >= ms && cells_.size() < lattices_.size())
+        return 0.5 * (double(cells_.size()) + (gathered < 1 ? gathered : 0)) / double(lattices_.size());
+    }
+    job_ = looseJob<std::vector<transport::Solution>>(
+        [cells = std::move(cells_), residual = scene_->options.scatter.residual](JobControl& control) {
+          return solveAll(cells, residual, control);
         });
   }
   if (std::isinf(ms)) job_->wait();

@@ -3,6 +3,7 @@
 // solved for in a job, and kept for as long as what it was made of stays the same. GL thread.
 #include <list>
 #include <memory>
+#include <utility>
 
 #include "renderer/view/scatter_field.h"
 #include "renderer/view/scatter_gather.h"
@@ -32,15 +33,19 @@ class ScatterSolve {
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Once step() said 1.
   const std::shared_ptr<const ScatterField>& field() const { return field_; }
-  double takeGpuMs() { return gather_ ? gather_->takeGpuMs() : 0; }
+  double takeGpuMs() { return std::exchange(gpuMs_, 0.0); }
 
  private:
   std::shared_ptr<const RenderScene> scene_;
   std::shared_ptr<ScatterCache> cache_;
   Key key_;
-  std::unique_ptr<ScatterGather> gather_;
-  LooseJob<transport::Solution> job_;
+  std::vector<transport::Lattice> lattices_;
+  std::vector<transport::Cells> cells_;    ///< of those that are gathered
+  std::unique_ptr<ScatterGather> gather_;  ///< of the next one
+  bool emission_ = false;
+  LooseJob<std::vector<transport::Solution>> job_;
   std::shared_ptr<const ScatterField> field_;
+  double gpuMs_ = 0;
 };
 
 }  // namespace pileus::view

@@ -1,27 +1,47 @@
-// Light that has been scattered at least once: moments of its radiance on a lattice, three blocks of one
-// texture side by side along z, one per channel (view/scatter_field.h).
+// Light that has been scattered at least once: moments of its radiance on lattices, the first one around all, the
+// others within it where media are denser and finer. Of each three blocks, one per channel, lie side by side
+// along z in one texture (view/scatter_field.h).
 #pragma once
 #include "shared/scatter.h"
 
 layout(binding = UNIT_SCATTER) uniform sampler3D scatterMoments;
-uniform vec3 scatterMin, scatterPerMetre;  // of the lattice, relative to the pass's origin; 1 / its size
-uniform vec3 lightScale;                   // scaled optical depths are so many times those of light's shadows
-uniform float scatterCell;                 // [m]
+uniform int scatterCount;
+uniform vec4 scatterMin[SCATTER_LATTICES];    // xyz: relative to the pass's origin; w: edge of a cell [m]
+uniform ivec4 scatterCells[SCATTER_LATTICES]; // xyz: cells; w: first layer of the texture
+uniform vec3 lightScale;  // scaled optical depths are so many times those of light's shadows
+
+// Where a place is in the texture: texels of the first channel, and from one channel to the next.
+struct ScatterPlace {
+  vec3 texel;
+  float next;
+};
+
+// In the finest lattice that holds it.
+ScatterPlace scatterPlace(vec3 p) {
+  int chosen = 0;
+  for (int i = 1; i < SCATTER_LATTICES; ++i) {
+    vec3 q = (p - scatterMin[i].xyz) / scatterMin[i].w, size = vec3(scatterCells[i].xyz);
+    bool inside = i < scatterCount && all(greaterThan(q, vec3(0.0))) && all(lessThan(q, size));
+    chosen = inside ? i : chosen;
+  }
+  vec3 size = vec3(scatterCells[chosen].xyz);
+  vec3 q = clamp((p - scatterMin[chosen].xyz) / scatterMin[chosen].w, vec3(0.5), size - 0.5);
+  return ScatterPlace(q + vec3(0.0, 0.0, float(scatterCells[chosen].w)), size.z);
+}
 
 // xyz: radiance times direction, w: radiance, over all directions.
-vec4 scatterMoment(vec3 p, int channel) {
-  vec3 size = vec3(textureSize(scatterMoments, 0)) / vec3(1.0, 1.0, 3.0);
-  vec3 q = clamp((p - scatterMin) * scatterPerMetre * size, vec3(0.5), size - 0.5);
-  q.z += float(channel) * size.z;
-  return textureLod(scatterMoments, q / (size * vec3(1.0, 1.0, 3.0)), 0.0);
+vec4 scatterMoment(ScatterPlace at, int channel) {
+  vec3 texel = at.texel + vec3(0.0, 0.0, float(channel) * at.next);
+  return textureLod(scatterMoments, texel / vec3(textureSize(scatterMoments, 0)), 0.0);
 }
 
 // What of it is scattered at p into direction d, per metre: by scaled scattering, and that times the mean
 // cosine [1/m].
 vec3 scatteredAgain(vec3 p, vec3 d, vec3 scattering, vec3 forward) {
+  ScatterPlace at = scatterPlace(p);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 3; ++c) {
-    vec4 m = scatterMoment(p, c);
+    vec4 m = scatterMoment(at, c);
     sum[c] = max(scattering[c] * m.w + 3.0 * forward[c] * dot(m.xyz, d), 0.0);
   }
   return sum / (4.0 * 3.14159265358979);
@@ -29,9 +49,10 @@ vec3 scatteredAgain(vec3 p, vec3 d, vec3 scattering, vec3 forward) {
 
 // What falls of it on a surface at p, looked up a cell off it, where none of its own cells are [W/m^2].
 vec3 scatteredOnto(vec3 p, vec3 normal) {
+  ScatterPlace at = scatterPlace(p + scatterMin[0].w * normal);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 3; ++c) {
-    vec4 m = scatterMoment(p + scatterCell * normal, c);
+    vec4 m = scatterMoment(at, c);
     sum[c] = max(0.25 * m.w - 0.5 * dot(m.xyz, normal), 0.0);
   }
   return sum;

@@ -36,7 +36,7 @@ truth::JudgeFigures judged(const view::RenderScene& scene, int samples, const st
   truth::JudgeOptions options;
   options.bounces = -1, options.samples = samples;
   truth::JudgePass pass(picture, scene, options);
-  while (pass.step(test::renderer().gpu(), 50).value() < 1 && pass.fraction() <= 0) {
+  while (pass.figures().samples == 0 && pass.step(test::renderer().gpu(), 50).value() < 1) {
   }
   const truth::JudgeFigures& f = pass.figures();
   std::printf("  %-40s scaled relMSE %.4g +- %.2g, ratio %.4f +- %.4f\n", what.c_str(), f.scaled.value,
@@ -72,7 +72,7 @@ double largestDifference(const image::Image& a, const image::Image& b) {
 
 /// White media under the same light from everywhere are as bright as it.
 TEST(ScatterGrid, Furnace) {
-  for (const double g : {0.0, 0.6, 0.85}) {
+  for (const double g : {0.0, 0.6}) {
     volume::Instance ball = test::ball({0, 0, 0}, 0.5, 10);
     ball.medium.albedo = vec3(1);
     ball.medium.phase = scene::henyeyGreenstein(g);
@@ -141,6 +141,7 @@ TEST(ScatterGrid, LayersOfLightsAddUp) {
   volume::Instance fire = test::ball({0.1, 0, 0}, 0.15, 1);
   fire.emission = test::table(0, 1, [](double x) { return x; });
   view::RenderScene scene = sceneOf({smoke, fire}, {32, 18}, 2);
+  scene.options.scatter.residual = 1e-6;
   light(scene, {0.3, 1, 0.2});
   scene.lights.push_back({test::pointAt({-0.6, 0.2, 0.3}, 2), nullptr});
   const image::Image beauty = test::render(scene);

@@ -254,6 +254,36 @@ TEST(Transport, OneCellAndNone) {
   EXPECT_EQ(flat.cells, ivec3(64, 1, 32));
 }
 
+/// A lattice within another one: what surrounds it sends its light in.
+TEST(Transport, WhatLiesAroundSendsItsLightIn) {
+  const auto fill = [](Cell& cell, const dvec3& p) {
+    scatter(cell, glm::length(p - 0.5) < 0.2 ? 20 : 1, 0.95);
+    give(cell, p.x);
+  };
+  const Cells whole = cellsOf(ivec3(48), 1.0 / 48, fill), coarse = cellsOf(ivec3(24), 1.0 / 24, fill);
+  Cells inner = cellsOf(ivec3(24), 1.0 / 48, [&](Cell& cell, const dvec3& p) { fill(cell, 0.25 + 0.5 * p); });
+  inner.lattice.min = dvec3(0.25);
+  const Solution right = solved(whole), around = solved(coarse);
+  SolveOptions options;
+  options.around = &around;
+  const Solution made = solved(inner, options);
+  EXPECT_NEAR(balance(made), 0, 1e-3);
+  double error = 0, alone = 0, mean = 0;
+  const Solution without = solved(inner);
+  for (int z = 0; z < 24; ++z)
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) {
+        const std::size_t i = std::size_t((z * 24 + y) * 24 + x),
+                          j = std::size_t(((z + 12) * 48 + y + 12) * 48 + x + 12);
+        mean += double(right.moments[j].w);
+        error += std::abs(double(made.moments[i].w) - double(right.moments[j].w));
+        alone += std::abs(double(without.moments[i].w) - double(right.moments[j].w));
+      }
+  std::printf("[ around ] error %.4f, without %.4f\n", error / mean, alone / mean);
+  EXPECT_LT(error / mean, 0.03);
+  EXPECT_GT(alone / mean, 0.2);
+}
+
 TEST(Transport, WhatIsNotFiniteIsRefused) {
   Cells cells = cloud(8, 1, 0.9, 0);
   cells.cells[100].first[1].w = std::numeric_limits<float>::infinity();

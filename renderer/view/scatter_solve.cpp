@@ -22,6 +22,14 @@ Key keyOf(const RenderScene& scene, bool emission) {
     for (const double v : {light.radius, light.cone, light.softness, light.narrow}) h.add(v);
     // A shadow that is made anew is another one; its address may be that of one before, its number not.
     h.add(l.shadow ? l.shadow->number : 0);
+    if (light.environment) {
+      const scene::EnvironmentMap& map = *light.environment->map;
+      h.add(map.size.x).bytes(map.radiance.data(), map.radiance.size() * sizeof(vec3));
+      h.add(light.environment->rotation);
+      add(h, dvec3(light.environment->scale));
+    }
+    if (light.air)
+      h.add(light.air->altitude).bytes(light.air->passes.data(), light.air->passes.size() * sizeof(vec3));
   }
   for (const scene::Solid& s : scene.solids) {
     h.add(s.shape).bytes(&s.worldFromLocal, sizeof s.worldFromLocal);
@@ -45,14 +53,15 @@ void ScatterCache::keep(const Key& key, std::shared_ptr<const ScatterField> fiel
   if (fields_.size() > kMost) fields_.pop_back();
 }
 
-ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache)
+ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
+                           std::shared_ptr<KeptSuns> kept)
     : scene_(std::move(scene)), cache_(std::move(cache)) {
   const bool emission = scene_->options.layer.kind != Kind::Light && emits(*scene_);
   key_ = keyOf(*scene_, emission);
   if (cache_) field_ = cache_->find(key_);
   if (field_) return;
   gather_ = std::make_unique<ScatterGather>(scene_, scatterLattice(scene_->volumes, scene_->options.scatter),
-                                            emission);
+                                            emission, std::move(kept));
 }
 
 Result<double> ScatterSolve::step(const shadow::Gpu& gpu, double ms) {

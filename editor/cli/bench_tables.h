@@ -39,7 +39,7 @@ Result<void> benchCurve(const BenchSetup& setup);
 /// smoke1.vdb of the test volumes, extinction 0.5.
 Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 
-/// Sixteen samples of a cloud under light from everywhere, against paths.
+/// A cloud under light from everywhere, against paths.
 Result<void> benchEnvironments(const BenchSetup& setup);
 
 /// Frame time and radiance difference of the map against the march.

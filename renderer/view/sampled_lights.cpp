@@ -25,7 +25,7 @@ void SampledLights::plan(std::optional<unsigned> set) {
   pass_.reset();
   lights_.clear();
   planned_.clear();
-  set_ = set;
+  set_.emplace(set);
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const shadow::ShadowedLight& l = all_[i];
     if (!strata_[i]) {
@@ -82,7 +82,7 @@ Result<bool> SampledLights::makeNext(const shadow::Gpu& gpu, double ms) {
 Result<double> SampledLights::make(const shadow::Gpu& gpu, std::optional<unsigned> set, double ms) {
   const Stopwatch clock;
   if (!vary()) set.reset();
-  if (set_ != std::optional(set)) {
+  if (!set_ || *set_ != set) {
     plan(set);
     if (vary() && !set && takeKept()) return 1.0;
   }

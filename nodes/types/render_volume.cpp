@@ -52,7 +52,8 @@ void describe(Describe<In, Out>& d) {
   d.name("Volume Render").category("Render").keywords("picture scattering march beauty");
   d.help(
       "Renders the light that the volumes scatter and emit, and the solids behind and among them, front to "
-      "back. Any number of overlapping volumes; the picture refines sample by sample, under environments with "
+      "back. Any number of overlapping volumes; the picture refines sample by sample, under environments "
+      "with "
       "other directions each time. Background black, alpha 0.");
   d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");

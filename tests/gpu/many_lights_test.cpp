@@ -88,7 +88,12 @@ TEST(ManyLights, WithinWhatOpenGlGuarantees) {
     ASSERT_TRUE(step) << step.error().message;
     done = *step;
   }
-  EXPECT_EQ(pixels(view::readBack(*pass.picture()).value()), whole);
+  const std::vector<float> limited = pixels(view::readBack(*pass.picture()).value());
+  double worst = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    worst = std::max(worst, std::abs(double(limited[i]) - double(whole[i])));
+  std::printf("  %.3g off\n", worst);
+  EXPECT_LT(worst, 1e-5);
 }
 
 TEST(ManyLights, PathsTakeAll) {

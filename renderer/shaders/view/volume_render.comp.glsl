@@ -8,7 +8,8 @@
 // all ways (Nakajima and Tanaka 1988): so what is scattered once has its exact phase function still.
 // With OCTAVES so many sums stand for it, each with less light, depth and direction than the one before
 // (Wrenninge 2013).
-// Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or 0: lightCount), REACHED (at least
+// Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or
+// 0: lightCount), REACHED (at least
 // as many), DEPTH (1: no light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
 // lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
@@ -100,7 +101,8 @@ vec3 scattering(Stretch s, StretchSample x, float cosine, float narrow) {
   return sum;
 }
 
-// The same of what light l sends, over a step; phase functions with `contrast` of their directions. Light travels along -towards and is scattered into -d: the
+// The same of what light l sends, over a step; phase functions with `contrast` of their directions. Light
+// travels along -towards and is scattered into -d: the
 // cosine is that between the two directions of travel. A near light's turns on the way; at an angle a it is
 // -sin a, and each angle has the same part in 1/r^2.
 vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
@@ -129,7 +131,8 @@ vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
 Through meanReaching(Through first, Through last, Through depth, Passage q) {
   Through fall = log(first / last) + depth, seen = last * exp(-depth);
   Through flat_ = 1.0 - step(0.05, abs(fall));
-  Through even = mix((first - seen) / (fall + flat_), 0.5 * (first + seen) * (1.0 - fall * fall / 12.0), flat_);
+  Through even =
+      mix((first - seen) / (fall + flat_), 0.5 * (first + seen) * (1.0 - fall * fall / 12.0), flat_);
 #if LOCAL_LIGHTS
   // Between that, where 1/r^2 is the same everywhere, and what there is where it has its peak.
   return mix(first * exp(-fall * q.centre), even, q.spread);

@@ -25,6 +25,8 @@ constexpr Table kTables[] = {
     {"silhouette", "Silhouettes: a slanted box edge over another box", benchSilhouette},
     {"curve", "Defaults: errors and costs of extinction maps", benchCurve},
     {"deep", "Deep shadow maps of smoke1.vdb", benchDeep},
+    {"environments", "Light from everywhere: a cloud under five skies, 64 samples, against paths",
+     benchEnvironments},
     {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},
 };
 

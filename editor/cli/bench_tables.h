@@ -39,6 +39,9 @@ Result<void> benchCurve(const BenchSetup& setup);
 /// smoke1.vdb of the test volumes, extinction 0.5.
 Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 
+/// A cloud under light from everywhere, against paths.
+Result<void> benchEnvironments(const BenchSetup& setup);
+
 /// Frame time and radiance difference of the map against the march.
 Result<void> benchSpeed(const BenchSetup& setup);
 

@@ -58,10 +58,7 @@ DisplayChoice displayOf(const nodes::Graph& graph, const std::string& preferred)
 
 Result<std::shared_ptr<const image::ColorConfig>> colorConfigOf(const nodes::Graph& graph,
                                                                 const fs::path& folder) {
-  std::string ocio = graph.settings.ocio;
-  if (!ocio.empty() && fs::path(ocio).is_relative() && ocio.find("://") == ocio.npos)
-    ocio = (folder / ocio).string();
-  return image::ColorConfig::load(ocio);
+  return image::ColorConfig::load(nodes::colorConfigPath(graph.settings, folder));
 }
 
 }  // namespace pileus::cli

@@ -104,7 +104,7 @@ NodePicture Thumbnails::map(const Session& session, const Clock& clock, const Sh
       metric = m->items.front();
     if (const auto* l = std::get_if<nodes::LightValue>(value))
       for (const auto& item : l->items)
-        if (item.shadow && !shadow) shadow = item.shadow;
+        if (item.shadow && !shadow && item.light.kind != scene::LightKind::Environment) shadow = item.shadow;
   }
   const std::shared_ptr<const void> source =
       shadow ? std::shared_ptr<const void>(shadow) : std::shared_ptr<const void>(metric);

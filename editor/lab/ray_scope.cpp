@@ -30,7 +30,8 @@ std::string lightName(const view::RenderScene& scene, std::size_t light, std::si
   return fmt::format("{} {}",
                      kind == scene::LightKind::Sun     ? "Sun"
                      : kind == scene::LightKind::Point ? "Point"
-                                                       : "Spot",
+                     : kind == scene::LightKind::Spot  ? "Spot"
+                                                       : "Environment",
                      number + 1);
 }
 
@@ -48,6 +49,7 @@ void follow(const Shown& shown, RayScope& scope) {
   if (scope.scene == picture->scene && scope.probedPoint == shown.ray.point &&
       scope.probedLight == scope.light)
     return;
+  const bool known = scope.probe && scope.scene == picture->scene && scope.probedLight == scope.light;
   scope.scene = picture->scene, scope.probedPoint = shown.ray.point, scope.probedLight = scope.light;
   scope.error.clear();
   if (lights.empty()) {
@@ -56,7 +58,8 @@ void follow(const Shown& shown, RayScope& scope) {
     return;
   }
   Result<truth::RayProbe> probe =
-      truth::probeRay(shown.renderer.gpu(), picture->scene->lights[lights[scope.light]], *shown.ray.point);
+      truth::probeRay(shown.renderer.gpu(), picture->scene->lights[lights[scope.light]], *shown.ray.point,
+                      256, known ? scope.probe->map : nullptr);
   scope.probe.reset();
   if (!probe) {
     scope.error = probe.error().message;

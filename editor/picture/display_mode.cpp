@@ -19,6 +19,8 @@ const char* lightName(scene::LightKind kind) {
       return "point";
     case scene::LightKind::Spot:
       return "spot";
+    case scene::LightKind::Environment:
+      return "environment";
   }
   return "";
 }

@@ -25,9 +25,8 @@ std::string textParam(const nodes::Node& node, const nodes::NodeType& type, cons
 void updateColors(Messages& messages, const Session& session, Shown& shown) {
   Displayed& displayed = shown.displayed;
   const std::string& wanted = session.document.graph().settings.ocio;
-  std::filesystem::path path = wanted;
-  if (!wanted.empty() && path.is_relative() && !session.document.path().empty())
-    path = session.document.path().parent_path() / path;
+  const std::filesystem::path path =
+      nodes::colorConfigPath(session.document.graph().settings, session.document.path().parent_path());
   const Key stamp = wanted.empty() ? Key{} : fileStamp(path);
   if (displayed.colorsOf == wanted && displayed.colorsStamp == stamp) return;
   displayed.colorsOf = wanted;

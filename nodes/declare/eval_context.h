@@ -36,6 +36,7 @@ class EvalContext {
   // whose results would be kept for longer than they are true.
   int frame() const { return settings(UsesFrame).frame; }
   double fps() const { return settings(UsesRate).fps; }
+  const std::string& ocio() const { return settings(UsesColors).ocio; }
   ivec2 size() const { return settings(UsesSize).size; }
   Quality quality() const { return settings(UsesQuality).quality; }
   const std::optional<scene::Camera>& freeCamera() const { return settings(UsesFreeCamera).freeCamera; }

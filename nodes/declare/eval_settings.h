@@ -33,8 +33,9 @@ struct EvalSettings {
   view::ExtraLayers extra;       ///< and what is made beside it
   view::PictureRegion region;    ///< the part of a picture that is made
   std::shared_ptr<const view::Picture> seed;  ///< what parts still to come show; no part of any key
-  Key around;       ///< of the seed, where a region is made: it stays around the finished picture
-  double fps = 24;  ///< the document's; the evaluator sets it
+  Key around;        ///< of the seed, where a region is made: it stays around the finished picture
+  double fps = 24;   ///< the document's; the evaluator sets it
+  std::string ocio;  ///< likewise: its colour configuration, as image::ColorConfig::load() takes it
   double budgetMs =
       30;  ///< of GL-thread time for one evaluate() of the whole graph; infinity: run to the end
 };

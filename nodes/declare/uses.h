@@ -11,7 +11,8 @@ enum Uses : unsigned {
   UsesQuality = 4,
   UsesFreeCamera = 8,
   UsesLayers = 16,
-  UsesRate = 32
+  UsesRate = 32,
+  UsesColors = 64
 };
 
 }  // namespace pileus::nodes

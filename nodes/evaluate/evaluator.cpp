@@ -20,7 +20,7 @@ bool sameRequest(const EvalSettings& a, const EvalSettings& b) {
   return a.frame == b.frame && a.size == b.size && a.quality == b.quality && a.freeCamera == b.freeCamera &&
          a.folder == b.folder && a.draftPixels == b.draftPixels && a.draftTexels == b.draftTexels &&
          a.layer == b.layer && a.extra == b.extra && a.region == b.region && a.around == b.around &&
-         a.fps == b.fps;
+         a.fps == b.fps && a.ocio == b.ocio;
 }
 
 }  // namespace
@@ -111,6 +111,7 @@ EvalReport Evaluator::evaluate(const Graph& given, const std::vector<std::string
   const Graph& graph = self.graph;
   EvalSettings settings = wantedSettings;
   settings.fps = given.settings.fps;
+  settings.ocio = colorConfigPath(given.settings, settings.folder);
   const bool isNew = self.answered || isOther || wanted != self.targets || !sameRequest(settings, self.asked);
   self.targets = wanted;
   self.asked = settings;

@@ -30,8 +30,8 @@ bool givesNumbers(const NodeType& type) {
 
 std::string usesText(unsigned uses) {
   constexpr std::pair<unsigned, std::string_view> kNames[] = {
-      {UsesFrame, "frame"},           {UsesSize, "size"},     {UsesQuality, "quality"},
-      {UsesFreeCamera, "freeCamera"}, {UsesLayers, "layers"}, {UsesRate, "rate"}};
+      {UsesFrame, "frame"},   {UsesSize, "size"}, {UsesQuality, "quality"}, {UsesFreeCamera, "freeCamera"},
+      {UsesLayers, "layers"}, {UsesRate, "rate"}, {UsesColors, "colors"}};
   std::string text;
   for (const auto& [bit, name] : kNames)
     if (uses & bit) text += (text.empty() ? "" : ", ") + std::string(name);

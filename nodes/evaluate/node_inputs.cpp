@@ -106,6 +106,7 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
   }
   if (type.uses & UsesFrame) hash.add(settings.frame);
   if (type.uses & UsesRate) hash.add(settings.fps);
+  if (type.uses & UsesColors) hash.add(std::string_view(settings.ocio)).add(fileStamp(settings.ocio));
   if (type.uses & UsesSize) hash.add(settings.size.x).add(settings.size.y);
   if (type.uses & UsesQuality) {
     hash.add(settings.quality);

@@ -27,6 +27,13 @@ std::size_t utf8Length(std::string_view text) {
 
 }  // namespace
 
+std::string colorConfigPath(const Settings& settings, const std::filesystem::path& folder) {
+  const std::string& ocio = settings.ocio;
+  const bool builtIn = ocio.find("://") != ocio.npos;
+  if (ocio.empty() || builtIn || folder.empty() || !std::filesystem::path(ocio).is_relative()) return ocio;
+  return (folder / ocio).string();
+}
+
 bool operator==(const Node& a, const Node& b) {
   const auto all = [](const Node& n) {
     return std::tie(n.type, n.at, n.params, n.animated, n.bypass, n.disabled, n.color, n.label, n.expose,

@@ -1,5 +1,6 @@
 #pragma once
 // The graph: a plain value. Nodes are shared and immutable, so a copy is cheap and undo is a list of graphs.
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -47,6 +48,9 @@ struct Settings {
   std::map<std::string, std::string> unknown;
   bool operator==(const Settings&) const = default;
 };
+
+/// Settings::ocio from where the document's files start: what image::ColorConfig::load() takes.
+std::string colorConfigPath(const Settings& settings, const std::filesystem::path& folder);
 
 /// A titled rectangle behind nodes; edits in graph_frames.h.
 struct Frame {

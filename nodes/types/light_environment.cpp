@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "nodes/declare/describe.h"
-#include "nodes/types/environment_common.h"
 #include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
 #include "renderer/image/environment_import.h"
+#include "renderer/scene/environment_strata.h"
 #include "renderer/scene/environment_suns.h"
 
 namespace pileus::nodes {
@@ -28,16 +28,19 @@ void describe(Describe<In, Out>& d) {
   d.name("Environment").category("Light").keywords("hdri hdr image based lighting ibl dome sky latlong");
   d.help(
       "Light from everywhere, by a lat-long picture: OpenEXR or Radiance HDR, whose values are radiance and "
-      "whose data window is the map. Up to four bright discs become suns with shadows of their own; 'Path "
-      "Trace' takes all of the rest, 'Volume Render' and shadow nodes sixteen suns that stand for it.");
+      "whose data window is the map. Up to four bright discs become suns with shadows of their own; the "
+      "rest is one light, of which 'Path Trace' takes all and 'Volume Render' sixteen other directions for "
+      "each sample.");
+  d.uses(UsesColors);
   d.in("file", &In::file)
       .file({"exr", "hdr"})
       .help("The picture. Its middle column shows azimuth 0, its top row straight up.");
   d.in("colorspace", &In::colorspace)
       .label("Colour space")
       .help(
-          "Of the file, by its name in the colour configuration ($OCIO, else the shipped one). Empty: linear "
-          "Rec. 709.");
+          "Of the file, by its name in the document's colour configuration (else $OCIO, else the shipped "
+          "one). "
+          "Empty: linear Rec. 709.");
   d.in("rotation", &In::rotation)
       .unit("deg")
       .range(-36000, 36000)
@@ -49,36 +52,37 @@ void describe(Describe<In, Out>& d) {
       .soft(0, 1)
       .help("Multiplies the radiance; linear, in the working space.");
   d.in("visible", &In::visible).help("Is it seen behind the media? Alpha stays that of the media.");
-  d.out("light", &Out::light).help("Its suns, and what stands for the rest.");
+  d.out("light", &Out::light).help("Its suns, and the rest as one light.");
 }
 
 /// What a file comes to, whatever way it is turned and however bright.
 struct Read {
   std::vector<scene::Light> suns;
   scene::Environment rest;
-  std::shared_ptr<const scene::EnvironmentStrata> strata;
   std::vector<std::string> warnings;
   ivec2 size{0};
 };
 
-Result<Read> readMap(const std::string& path, const std::string& colorspace, JobControl& control) {
+Result<Read> readMap(const std::string& path, const std::string& colorspace, const std::string& ocio,
+                     JobControl& control) {
   Read read;
   PILEUS_TRY(image::EnvironmentFile file, image::importEnvironment(path, control));
-  PILEUS_TRY(const auto config, image::ColorConfig::load(""));
+  PILEUS_TRY(const auto config,
+             colorspace.empty() ? image::ColorConfig::shipped() : image::ColorConfig::load(ocio));
   read.size = file.map.size;
   PILEUS_TRY(scene::EnvironmentMap map,
              image::environmentFrom(std::move(file), colorspace, *config, read.warnings));
   if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
   read.suns = scene::extractSuns(map);
   read.rest = scene::environmentOf(std::move(map));
-  read.strata = std::make_shared<const scene::EnvironmentStrata>(*read.rest.map);
+  read.rest.strata = scene::strataOf(read.rest);
   return read;
 }
 
 /// Turning and brightening it reads nothing anew.
 struct Import {
-  std::string path, colorspace;
-  Key stamp;
+  std::string path, colorspace, ocio;
+  Key stamp;  ///< of the picture and of the configuration
   LooseJob<Read> job;
 };
 
@@ -86,11 +90,13 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   if (in.file.path.empty()) return fail(Code::Input, "file: no file chosen");
   Import& import = ctx.lasting<Import>();
   auto& job = import.job;
-  const Key stamp = fileStamp(in.file.path);
-  if (!job || import.path != in.file.path || import.colorspace != in.colorspace || import.stamp != stamp) {
-    import.path = in.file.path, import.colorspace = in.colorspace, import.stamp = stamp;
-    job = looseJob<Read>([path = in.file.path, space = in.colorspace](JobControl& control) {
-      return readMap(path, space, control);
+  const std::string ocio = in.colorspace.empty() ? "" : ctx.ocio();  // linear Rec. 709 needs none
+  const Key stamp = Hasher().add(fileStamp(in.file.path)).add(fileStamp(ocio)).key();
+  if (!job || import.path != in.file.path || import.colorspace != in.colorspace || import.ocio != ocio ||
+      import.stamp != stamp) {
+    import.path = in.file.path, import.colorspace = in.colorspace, import.ocio = ocio, import.stamp = stamp;
+    job = looseJob<Read>([path = in.file.path, space = in.colorspace, ocio](JobControl& control) {
+      return readMap(path, space, ocio, control);
     });
   }
   if (!job->done()) {
@@ -114,8 +120,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
     sun.emitted *= environment->scale;
     out.light.items.push_back({sun, nullptr});
   }
-  for (LightWithShadow& part : standIns(environment, *read.strata))
-    out.light.items.push_back(std::move(part));
+  out.light.items.push_back({scene::environmentLight(environment), nullptr});
   ctx.note(fmt::format("{} x {}; {} {} taken out of it", read.size.x, read.size.y, read.suns.size(),
                        read.suns.size() == 1 ? "sun is" : "suns are"));
   return out;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "nodes/declare/describe.h"
-#include "nodes/types/environment_common.h"
 #include "renderer/base/jobs.h"
+#include "renderer/scene/environment_strata.h"
 #include "renderer/scene/sky.h"
 
 namespace pileus::nodes {
@@ -57,7 +57,7 @@ void describe(Describe<In, Out>& d) {
       .unit("m")
       .range(0, 90000)
       .soft(0, 15000)
-      .help("In the scene, at which sky and sun are seen: that of the clouds.");
+      .help("In the scene, at which the sky is seen: that of the clouds. The sun follows every point's.");
   d.in("air", &In::air).range(0, 100).soft(0, 4).help("Molecules; 1 is the Earth's, 0 none.");
   d.in("aerosol", &In::aerosol).range(0, 100).soft(0, 8).help("Haze; 1 is a clear day.");
   d.in("ozone", &In::ozone).range(0, 100).soft(0, 4).help("Makes dusk blue; 1 is the usual amount.");
@@ -75,20 +75,21 @@ void describe(Describe<In, Out>& d) {
 struct Made {
   std::shared_ptr<const scene::Atmosphere> atmosphere;  ///< its tables serve every hour and every height
   scene::Environment environment;
-  std::shared_ptr<const scene::EnvironmentStrata> strata;
-  dvec3 sun{0};  ///< irradiance
+  std::shared_ptr<const scene::SunAir> air;  ///< what the sun is seen through
 };
 
 struct Asked {
   scene::Air air;
   scene::Sky sky;
+  double altitude = 0;
 
   bool operator==(const Asked&) const = default;
 };
 
 Asked askedBy(const In& in) {
   return {{in.air, in.aerosol, in.ozone, in.ground_albedo},
-          {in.elevation, in.irradiance, std::clamp(in.altitude + in.height, 0.0, 0.99 * scene::kAirTop)}};
+          {in.elevation, in.irradiance, std::clamp(in.altitude + in.height, 0.0, 0.99 * scene::kAirTop)},
+          in.altitude};
 }
 
 /// `known`: an atmosphere that may be the one that is needed; or null.
@@ -96,9 +97,8 @@ Made make(const Asked& a, const std::shared_ptr<const scene::Atmosphere>& known)
   Made made;
   made.atmosphere = known && known->air() == a.air ? known : std::make_shared<const scene::Atmosphere>(a.air);
   made.environment = scene::environmentOf(scene::skyMap(*made.atmosphere, a.sky));
-  made.strata = std::make_shared<const scene::EnvironmentStrata>(*made.environment.map);
-  made.sun =
-      scene::sunAbove(a.sky.irradiance) * scene::sunTransmittance(a.air, a.sky.height, a.sky.elevation);
+  made.environment.strata = scene::strataOf(made.environment);
+  made.air = std::make_shared<const scene::SunAir>(scene::sunAir(a.air, a.sky.elevation, a.altitude));
   return made;
 }
 
@@ -129,16 +129,16 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   environment->scale = vec3(float(exposed));
   environment->visible = in.visible;
   Out out;
-  if (glm::any(glm::greaterThan(made.sun, dvec3(0)))) {
+  if (scene::sunIsUp(*made.air)) {
     scene::Light sun;
     sun.kind = scene::LightKind::Sun;
     sun.towards = scene::sunDirection(in.azimuth, in.elevation);
-    sun.emitted = vec3(made.sun * exposed);
+    sun.emitted = vec3(scene::sunAbove(in.irradiance) * exposed);
+    sun.air = made.air;
     out.sun.items.push_back({sun, nullptr});
-  } else {
-    ctx.note("The sun has set");
   }
-  out.sky.items = standIns(environment, *made.strata);
+  if (scene::sunThrough(*made.air, in.height) == vec3(0)) ctx.note("The sun has set");
+  out.sky.items.push_back({scene::environmentLight(environment), nullptr});
   out.light.items = out.sun.items;
   out.light.items.insert(out.light.items.end(), out.sky.items.begin(), out.sky.items.end());
   return out;

@@ -52,9 +52,9 @@ void describe(Describe<In, Out>& d) {
   d.name("Volume Render").category("Render").keywords("picture scattering march beauty");
   d.help(
       "Renders the light that the volumes scatter and emit, and the solids behind and among them, front to "
-      "back. Any number of overlapping volumes; the picture refines sample by sample. Background black, "
-      "alpha "
-      "0.");
+      "back. Any number of overlapping volumes; the picture refines sample by sample, under environments "
+      "with "
+      "other directions each time. Background black, alpha 0.");
   d.uses(UsesSize | UsesQuality | UsesFreeCamera | UsesLayers);
   d.in("volumes", &In::volumes).many().help("The media to draw.");
   d.in("lights", &In::lights)
@@ -99,7 +99,31 @@ void describe(Describe<In, Out>& d) {
 constexpr int kDraftCells = 32;
 constexpr double kDraftResidual = 3e-3;
 
-Result<void> begin(const In& in, EvalContext& ctx, bool software, Passes& passes) {
+/// Solutions of scattered light, and the suns of the last draft: whoever turns the camera needs no new ones.
+/// Maps of the latter go where others find no room.
+class Lasting {
+ public:
+  Lasting() = default;
+  Lasting(const Lasting&) = delete;
+  Lasting& operator=(const Lasting&) = delete;
+  ~Lasting() {
+    if (store_) store_->setReclaim(this, {});
+  }
+  const std::shared_ptr<view::ScatterCache>& scatter() const { return scatter_; }
+  const std::shared_ptr<view::KeptSuns>& suns(shadow::ShadowStore& store) {
+    if (!store_) store.setReclaim(this, [suns = suns_](std::size_t) { return view::letGo(*suns); });
+    store_ = &store;
+    return suns_;
+  }
+
+ private:
+  std::shared_ptr<view::ScatterCache> scatter_ = std::make_shared<view::ScatterCache>();
+  std::shared_ptr<view::KeptSuns> suns_ = std::make_shared<view::KeptSuns>();
+  shadow::ShadowStore* store_ = nullptr;
+};
+
+Result<void> begin(const In& in, EvalContext& ctx, view::Renderer& renderer, Passes& passes) {
+  const bool software = renderer.device().software;
   view::RenderOptions options = pictureOptions(ctx, in.camera, in.volumes, in.solids, in.samples, software);
   options.stepScale = in.step_scale;
   options.scatter = {in.scattering, in.grid_cells, in.grid_residual};
@@ -111,10 +135,10 @@ Result<void> begin(const In& in, EvalContext& ctx, bool software, Passes& passes
   const view::RenderScene scene{options, in.volumes.items, in.lights.items, in.solids.items};
   passes.push_back(std::make_unique<Pass>("", scene));
   passes.back()->beginWith(ctx.seed());
+  if (ctx.quality() == Quality::Draft)
+    passes.back()->keepSuns(ctx.lasting<Lasting>().suns(renderer.shadows()));
   if (ctx.quality() == Quality::Final) addLayers(passes, scene, ctx.extra());
-  auto& cache = ctx.lasting<std::shared_ptr<view::ScatterCache>>();
-  if (!cache) cache = std::make_shared<view::ScatterCache>();
-  for (const auto& pass : passes) pass->keepScatterIn(cache);
+  for (const auto& pass : passes) pass->keepScatterIn(ctx.lasting<Lasting>().scatter());
   return {};
 }
 
@@ -128,13 +152,13 @@ void report(const view::ScatterField& field, EvalContext& ctx) {
 
 Result<Out> evaluate(const In& in, EvalContext& ctx) {
   PILEUS_TRY(const auto* queue, runPasses<Pass>(ctx, [&](view::Renderer& renderer, Passes& passes) {
-               return begin(in, ctx, renderer.device().software, passes);
+               return begin(in, ctx, renderer, passes);
              }));
   Pass& first = *queue->passes.front();
   const auto picture = first.picture();
   std::size_t bytes = 0;  // of the largest
   for (const auto& pass : queue->passes)
-    if (const auto made = pass->picture()) bytes = std::max(bytes, made->color.bytes());
+    if (const auto made = pass->picture()) bytes = std::max(bytes, made->color.bytes() + pass->mapBytes());
   ctx.reportGpu(0, bytes);
   if (const auto& r = first.residency(); r.coarsened > 0)
     ctx.warn(
@@ -149,8 +173,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   else if (picture)
     ctx.partial(queue->fraction);
   else
-    ctx.pending(queue->fraction,
-                first.residency().fraction < 1 ? "Uploading bricks" : "Solving for scattered light");
+    ctx.pending(queue->fraction, first.doing());
   return Out{{picture}};
 }
 

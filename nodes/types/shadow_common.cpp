@@ -25,6 +25,7 @@ void warnOfThinMedia(const std::vector<scene::Light>& lights, const volume::Inst
                      int resolution, EvalContext& ctx) {
   constexpr int kMost = 4096;  // of describeResolution()
   for (const scene::Light& light : lights) {
+    if (light.kind == scene::LightKind::Environment) continue;
     const auto thin =
         shadow::thinnestMedium(light, media, shadow::fitLight(light, media, resolution), resolution);
     if (!thin) continue;
@@ -66,19 +67,23 @@ void noteDeep(const std::vector<std::unique_ptr<shadow::ShadowPass>>& passes, Ev
 Result<ShadowOut> shadowed(const ShadowIn& in, EvalContext& ctx, const char* what) {
   using Pass = shadow::ShadowPass;
   PILEUS_TRY(const std::vector<scene::Light> bare, lightsOf(in.light));
+  const auto spec = shadow::withResolution(in.spec, draftResolution(shadow::resolutionOf(in.spec), ctx));
   const auto begin = [&](view::Renderer&, std::vector<std::unique_ptr<Pass>>& passes) -> Result<void> {
-    const auto spec = shadow::withResolution(in.spec, draftResolution(shadow::resolutionOf(in.spec), ctx));
     for (const scene::Light& light : bare)
-      passes.push_back(std::make_unique<Pass>(spec, light, in.volumes.items, in.solids.items));
+      if (light.kind != scene::LightKind::Environment)
+        passes.push_back(std::make_unique<Pass>(spec, light, in.volumes.items, in.solids.items));
     return {};
   };
   PILEUS_TRY(const auto* queue, runPasses<Pass>(ctx, begin));
   ShadowOut out;
   std::size_t bytes = 0;
-  for (std::size_t i = 0; i < bare.size(); ++i) {
-    const auto map = queue->passes[i]->map();
+  auto pass = queue->passes.begin();
+  for (const scene::Light& light : bare) {
+    const auto map = light.kind == scene::LightKind::Environment
+                         ? shadow::describedShadow(spec, light, in.volumes.items, in.solids.items)
+                         : (*pass++)->map();
     bytes += map ? map->bytes() : 0;
-    out.light.items.push_back({bare[i], map});
+    out.light.items.push_back({light, map});
   }
   ctx.reportGpu(0, bytes);
   if (queue->fraction < 1) {

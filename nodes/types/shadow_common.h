@@ -1,5 +1,6 @@
 #pragma once
-// What the shadow nodes share. Each makes one map for each light that arrives, one after the other.
+// What the shadow nodes share. Each makes one map for each light that arrives, one after the other. Of an
+// environment they say what map its suns get; whoever needs some of these makes them.
 #include <vector>
 
 #include "nodes/declare/describe.h"
@@ -54,8 +55,8 @@ int draftResolution(int resolution, const EvalContext& ctx);
 void warnOfThinMedia(const std::vector<scene::Light>& lights, const volume::InstanceList& media,
                      int resolution, EvalContext& ctx);
 
-/// Builds `in.spec` for every light and returns the lights with their shadows; pending with `what` until all
-/// are there.
+/// Builds `in.spec` for every light but environments and returns the lights with their shadows; pending with
+/// `what` until all are there.
 Result<ShadowOut> shadowed(const ShadowIn& in, EvalContext& ctx, const char* what);
 
 }  // namespace pileus::nodes

@@ -1,14 +1,47 @@
 // shadow.extinction: extinction along each light ray, projected on a small basis.
+#include <optional>
+
 #include "nodes/types/passes.h"
 #include "nodes/types/shadow_common.h"
 #include "renderer/shadow/extinction_map.h"
+#include "renderer/shadow/shadow_pass.h"
 
 namespace pileus::nodes {
 namespace {
 
 using shadow::ExtinctionOptions;
 using shadow::ShadowSpec;
-using Pass = shadow::ExtinctionPass;
+
+/// The map of one light; of an environment, what its suns get.
+struct Pass {
+  std::optional<shadow::ExtinctionPass> made;
+  std::shared_ptr<const shadow::ShadowMap> described;
+
+  Pass(const ExtinctionOptions& options, std::shared_ptr<const shadow::PseudometricMap> metric,
+       const scene::SolidList& solids, const ShadowSpec& spec) {
+    if (metric->light.kind == scene::LightKind::Environment) {
+      described = shadow::describedShadow(spec, metric->light, metric->volumes, solids);
+      return;
+    }
+    made.emplace(options, std::move(metric));
+    made->remember(solids, spec);
+  }
+  Pass(const scene::Light& light, const volume::InstanceList& volumes, const scene::SolidList& solids,
+       const ShadowSpec& spec) {
+    if (light.kind == scene::LightKind::Environment) {
+      described = shadow::describedShadow(spec, light, volumes, solids);
+      return;
+    }
+    const ExtinctionOptions& options = spec.extinction;
+    made.emplace(options, light, volumes, shadow::fitLight(light, volumes, options.resolution));
+    made->remember(solids, spec);
+  }
+  Result<double> step(const shadow::Gpu& gpu, double ms) {
+    return made ? made->step(gpu, ms) : Result<double>(1.0);
+  }
+  std::shared_ptr<const shadow::ShadowMap> map() const { return made ? made->map() : described; }
+  double takeGpuMs() { return made ? made->takeGpuMs() : 0; }
+};
 
 ShadowIn defaults() {
   ShadowIn in = ofKind(ShadowSpec::Kind::Extinction);
@@ -82,8 +115,8 @@ Result<void> begin(const ShadowIn& in, const EvalContext& ctx, std::vector<std::
       // In a draft the metric's own resolution is already the draft's.
       options.resolution = wanted == 0 ? metric->options.resolution : draftResolution(wanted, ctx);
       spec.metric = metric->options, spec.extinction = options;
-      passes.push_back(std::make_unique<Pass>(options, metric));
-      passes.back()->remember(in.metric.solids, spec);
+      PILEUS_CHECK(shadow::checkOptions(options, metric->options));
+      passes.push_back(std::make_unique<Pass>(options, metric, in.metric.solids, spec));
     }
     return {};
   }
@@ -91,11 +124,8 @@ Result<void> begin(const ShadowIn& in, const EvalContext& ctx, std::vector<std::
     return fail(Code::Input, "light: nothing is linked; link a metric, or a light and volumes");
   options.resolution = draftResolution(wanted == 0 ? 1024 : wanted, ctx);
   spec.metric.metric = shadow::Metric::None, spec.extinction = options;
-  for (const LightWithShadow& l : in.light.items) {
-    passes.push_back(std::make_unique<Pass>(options, l.light, in.volumes.items,
-                                            shadow::fitLight(l.light, in.volumes.items, options.resolution)));
-    passes.back()->remember(in.solids.items, spec);
-  }
+  for (const LightWithShadow& l : in.light.items)
+    passes.push_back(std::make_unique<Pass>(l.light, in.volumes.items, in.solids.items, spec));
   return {};
 }
 
@@ -107,7 +137,7 @@ Result<ShadowOut> evaluate(const ShadowIn& in, EvalContext& ctx) {
   for (const auto& pass : queue->passes) {
     const auto& map = pass->map();
     bytes += (map->block ? map->block->bytes() : 0) + (map->horizon ? map->horizon->bytes() : 0);
-    out.light.items.push_back({pass->light(), map});
+    out.light.items.push_back({map->light, map});
   }
   ctx.reportGpu(0, bytes);
   if (queue->fraction < 1) ctx.pending(queue->fraction, "Projecting extinction");

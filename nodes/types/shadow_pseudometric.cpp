@@ -53,24 +53,43 @@ void describe(Describe<MetricIn, Out>& d) {
   d.out("metric", &Out::metric).help("The map with its frustum, light and volumes: for Extinction Map.");
 }
 
+/// As the map is made: in a draft smaller, without what only intervals have.
+MetricOptions optionsOf(const MetricIn& in, const EvalContext& ctx) {
+  MetricOptions options = in.metric;
+  options.resolution = draftResolution(options.resolution, ctx);
+  if (options.metric != shadow::Metric::Interval)
+    options.weighting = shadow::Weighting::None, options.horizon = 0, options.compact = false;
+  return options;
+}
+
+/// What the suns get that stand for an environment.
+std::shared_ptr<const shadow::PseudometricMap> described(const MetricIn& in, const EvalContext& ctx,
+                                                         const scene::Light& environment) {
+  auto map = std::make_shared<shadow::PseudometricMap>();
+  map->options = optionsOf(in, ctx);
+  map->light = environment;
+  map->volumes = residency::canonical(in.volumes.items);
+  return map;
+}
+
 Result<Out> evaluate(const MetricIn& in, EvalContext& ctx) {
   PILEUS_TRY(const std::vector<scene::Light> lights, lightsOf(in.light));
   const auto begin = [&](view::Renderer&, std::vector<std::unique_ptr<Pass>>& passes) -> Result<void> {
-    MetricOptions options = in.metric;
-    options.resolution = draftResolution(options.resolution, ctx);
-    if (options.metric != shadow::Metric::Interval)
-      options.weighting = shadow::Weighting::None, options.horizon = 0, options.compact = false;
+    const MetricOptions options = optionsOf(in, ctx);
     for (const scene::Light& light : lights)
-      passes.push_back(std::make_unique<Pass>(options, light, in.volumes.items,
-                                              shadow::fitLight(light, in.volumes.items, options.resolution)));
+      if (light.kind != scene::LightKind::Environment)
+        passes.push_back(std::make_unique<Pass>(
+            options, light, in.volumes.items, shadow::fitLight(light, in.volumes.items, options.resolution)));
     return {};
   };
   PILEUS_TRY(const auto* queue, runPasses<Pass>(ctx, begin));
   Out out;
   std::size_t bytes = 0;
-  for (const auto& pass : queue->passes) {
-    bytes += pass->map()->bytes();
-    out.metric.items.push_back(pass->map());
+  auto pass = queue->passes.begin();
+  for (const scene::Light& light : lights) {
+    const bool environment = light.kind == scene::LightKind::Environment;
+    out.metric.items.push_back(environment ? described(in, ctx, light) : (*pass++)->map());
+    bytes += out.metric.items.back()->bytes();
   }
   out.metric.solids = in.solids.items;
   ctx.reportGpu(0, bytes);

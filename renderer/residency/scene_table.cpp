@@ -57,6 +57,7 @@ Result<void> SceneTable::bind(gl::Program& program) {
   const auto first = [&](Section section) { return int(parts_[std::size_t(section)].first); };
   program.set("sceneSections", ivec4(first(Section::TileOffsets), first(Section::TileItems),
                                      first(Section::ShadowItems), first(Section::Solids)));
+  program.set("sceneAir", first(Section::Air));
   return {};
 }
 

@@ -19,9 +19,10 @@ class SceneTable {
     TileOffsets,  ///< numbers, four to a texel
     TileItems,    ///< numbers
     ShadowItems,  ///< numbers
-    Solids        ///< SolidRecords
+    Solids,       ///< SolidRecords
+    Air           ///< of each sun behind air SUN_HEIGHTS texels
   };
-  static constexpr std::size_t kSections = 5;
+  static constexpr std::size_t kSections = 6;
 
   /// Replaces a section; uploaded by the next bind(), and only where it is not what is there.
   template <class T>

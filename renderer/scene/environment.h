@@ -23,19 +23,23 @@ struct EnvironmentMap {
   bool operator==(const EnvironmentMap&) const = default;
 };
 
+class EnvironmentStrata;  // environment_strata.h
+
 /// A map as it lights and is seen. Maps are shared: turned or brighter it is the same ones.
 struct Environment {
   std::shared_ptr<const EnvironmentMap> map;   ///< that lights: kLightMap at most
   std::shared_ptr<const EnvironmentMap> seen;  ///< kSeenMap at most
-  double rotation = 0;                         ///< degrees
-  vec3 scale{1.0f};                            ///< of its radiance: exposure and tint
-  bool visible = true;                         ///< behind the media
+  /// Of the map that lights, for who takes a few suns for it; null: strataOf() makes them.
+  std::shared_ptr<const EnvironmentStrata> strata = {};
+  double rotation = 0;  ///< degrees
+  vec3 scale{1.0f};     ///< of its radiance: exposure and tint
+  bool visible = true;  ///< behind the media
 
   bool operator==(const Environment&) const = default;
 };
 
 inline constexpr ivec2 kLightMap{512, 256}, kSeenMap{2048, 1024};
-/// Both maps of it.
+/// Both maps of it, without strata.
 Environment environmentOf(EnvironmentMap map);
 
 /// Several as one: their sum as a map of no rotation; one alone is itself. Null for none.

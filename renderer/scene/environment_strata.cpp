@@ -200,4 +200,32 @@ std::vector<EnvironmentLight> environmentLights(const EnvironmentStrata& strata,
   return out;
 }
 
+std::shared_ptr<const EnvironmentStrata> strataOf(const Environment& environment) {
+  return environment.strata ? environment.strata
+                            : std::make_shared<const EnvironmentStrata>(*environment.map);
+}
+
+std::vector<Light> standIns(const Environment& environment, const EnvironmentStrata& strata,
+                            std::optional<unsigned> set) {
+  std::vector<Light> out;
+  for (const EnvironmentLight& part : set ? environmentLights(strata, *set) : draftLights(strata)) {
+    Light sun;
+    sun.towards = turned(part.towards, environment.rotation);
+    sun.emitted = part.irradiance * environment.scale;
+    sun.narrow = part.narrow;
+    out.push_back(sun);
+  }
+  return out;
+}
+
+Light mainSun(const Environment& environment) {
+  const std::vector<Light> suns = standIns(environment, *strataOf(environment), std::nullopt);
+  if (suns.empty()) return {.emitted = vec3(0.0f)};
+  dvec3 towards(0);
+  for (const Light& sun : suns) towards += environmentImportance(sun.emitted) * sun.towards;
+  return *std::max_element(suns.begin(), suns.end(), [&](const Light& a, const Light& b) {
+    return glm::dot(a.towards, towards) < glm::dot(b.towards, towards);
+  });
+}
+
 }  // namespace pileus::scene

@@ -2,9 +2,11 @@
 // An environment as a few suns, others for each sample: strata of equal energy, one direction from each. The
 // mean over the samples converges to the integral over the map. Immutable; any thread.
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "renderer/scene/environment.h"
+#include "renderer/scene/light.h"
 
 namespace pileus::scene {
 
@@ -72,5 +74,15 @@ std::vector<EnvironmentLight> draftLights(const EnvironmentStrata& strata);
 /// ones; the next kStratumParts^2 those of the parts' parts. What follows are directions inside these, which
 /// stand for ever less beside them: the mean over the sets converges to the integral over the map.
 std::vector<EnvironmentLight> environmentLights(const EnvironmentStrata& strata, unsigned set);
+
+/// Its own, or new ones.
+std::shared_ptr<const EnvironmentStrata> strataOf(const Environment& environment);
+
+/// An environment as suns in the world: those of a set, or without one the middles.
+std::vector<Light> standIns(const Environment& environment, const EnvironmentStrata& strata,
+                            std::optional<unsigned> set);
+/// Of the middles the one nearest to where most of the light comes from: whoever measures one map for an
+/// environment takes that. A black sun for a black environment.
+Light mainSun(const Environment& environment);
 
 }  // namespace pileus::scene

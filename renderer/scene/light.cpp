@@ -27,10 +27,13 @@ dvec3 acescg(dvec2 xy) { return acescgFromXyz({xy.x / xy.y, 1.0, (1 - xy.x - xy.
 }  // namespace
 
 Incidence incidence(const Light& light, const dvec3& point) {
-  if (light.kind == LightKind::Sun) return {light.towards, std::numeric_limits<double>::infinity(), 1};
+  if (light.kind == LightKind::Sun)
+    return {light.towards, std::numeric_limits<double>::infinity(), 1,
+            light.air ? sunThrough(*light.air, point.y) : vec3(1.0f)};
   const dvec3 to = light.position - point;
   const double r = glm::length(to);
-  Incidence out{r > 0 ? to / r : light.towards, r, 1 / std::max({r * r, light.radius * light.radius, 1e-12})};
+  Incidence out{r > 0 ? to / r : light.towards, r, 1 / std::max({r * r, light.radius * light.radius, 1e-12}),
+                vec3(1.0f)};
   if (light.kind == LightKind::Spot) {
     const double outer = glm::radians(light.cone) / 2, inner = outer * (1 - light.softness);
     const double c = glm::dot(out.towards, light.towards), c0 = std::cos(outer), c1 = std::cos(inner);
@@ -40,11 +43,17 @@ Incidence incidence(const Light& light, const dvec3& point) {
   return out;
 }
 
+Light environmentLight(std::shared_ptr<const Environment> environment) {
+  Light light;
+  light.kind = LightKind::Environment;
+  light.environment = std::move(environment);
+  return light;
+}
+
 std::vector<std::shared_ptr<const Environment>> environmentsOf(const std::vector<Light>& lights) {
   std::vector<std::shared_ptr<const Environment>> out;
   for (const Light& l : lights)
-    if (l.environment && std::find(out.begin(), out.end(), l.environment) == out.end())
-      out.push_back(l.environment);
+    if (l.kind == LightKind::Environment) out.push_back(l.environment);
   return out;
 }
 

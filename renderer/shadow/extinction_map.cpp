@@ -9,6 +9,19 @@
 #include "renderer/shadow/new_map.h"
 
 namespace pileus::shadow {
+
+Result<void> checkOptions(const ExtinctionOptions& options, const MetricOptions& metric) {
+  const bool intervals = metric.metric == Metric::Interval;
+  if (options.accumulation == Accumulation::Splat && intervals && metric.horizon > 0)
+    return fail(Code::Input,
+                "accumulation: splatting knows no horizon; gather, or set the metric's horizon to 0");
+  if (options.basis == Basis::Piecewise && intervals && options.coefficients < metric.intervals)
+    return fail(Code::Input,
+                "coefficients: {} are too few for the metric's {} intervals, each of which needs one",
+                options.coefficients, metric.intervals);
+  return {};
+}
+
 ExtinctionPass::ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,
                                const volume::InstanceList& volumes, const LightFrustum& frustum)
     : options_(options),
@@ -38,13 +51,7 @@ Result<void> ExtinctionPass::allocate(const Gpu& gpu) {
   const int faces = map_->frustum.faces();
   const bool horizon =
       map_->metric && map_->metric->options.metric == Metric::Interval && map_->metric->options.horizon > 0;
-  if (splats() && horizon)
-    return fail(Code::Input,
-                "accumulation: splatting knows no horizon; gather, or set the metric's horizon to 0");
-  if (map_->basis == Basis::Piecewise && options_.coefficients < map_->metric->options.intervals)
-    return fail(Code::Input,
-                "coefficients: {} are too few for the metric's {} intervals, each of which needs one",
-                options_.coefficients, map_->metric->options.intervals);
+  if (map_->metric) PILEUS_CHECK(checkOptions(options_, map_->metric->options));
   PILEUS_TRY(map_->block,
              gpu.store.allocate(options_.storage == Storage::Float ? Texels::Float : Texels::Half,
                                 options_.resolution, (options_.coefficients + 3) / 4, faces));

@@ -5,11 +5,13 @@
 
 namespace pileus::shadow {
 
+/// Errors (Input): splatting with a horizon, which needs a gather; cosines per interval with fewer
+/// coefficients than the metric has intervals.
+Result<void> checkOptions(const ExtinctionOptions& options, const MetricOptions& metric);
+
 class ExtinctionPass {
  public:
-  /// With a metric: its frustum, light and volumes. Errors of the first step (Input): splatting with a
-  /// horizon, which needs a gather; cosines per interval with fewer coefficients than the metric has
-  /// intervals.
+  /// With a metric: its frustum, light and volumes. Errors of the first step: those of checkOptions().
   ExtinctionPass(const ExtinctionOptions& options, std::shared_ptr<const PseudometricMap> metric);
   /// Euclidean.
   ExtinctionPass(const ExtinctionOptions& options, const scene::Light& light,

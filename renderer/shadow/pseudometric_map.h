@@ -6,13 +6,14 @@
 
 namespace pileus::shadow {
 
-/// Finished and immutable. Carries what an extinction map needs beside it.
+/// Finished and immutable. Carries what an extinction map needs beside it. Of an environment only says what
+/// is to be made for each sun that stands for it: there is no block.
 struct PseudometricMap {
   MetricOptions options;
   LightFrustum frustum;
   scene::Light light;
   volume::InstanceList volumes;
-  std::shared_ptr<const ShadowBlock> block;    ///< null for Metric::None
+  std::shared_ptr<const ShadowBlock> block;    ///< null for Metric::None and environments
   std::shared_ptr<const ShadowBlock> weights;  ///< null without weighting
   std::size_t bytes() const { return (block ? block->bytes() : 0) + (weights ? weights->bytes() : 0); }
 };

@@ -1,6 +1,6 @@
 #pragma once
 // A light's shadow: what a representation left behind for lookupTransmittance, or the volumes to march
-// through.
+// through. Of an environment only what it is to be made from (describedShadow()).
 #include <cstdint>
 
 #include "renderer/scene/solid.h"

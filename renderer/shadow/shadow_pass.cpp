@@ -131,6 +131,17 @@ std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const 
   return map;
 }
 
+std::shared_ptr<const ShadowMap> describedShadow(const ShadowSpec& spec, const scene::Light& environment,
+                                                 const volume::InstanceList& volumes,
+                                                 const scene::SolidList& solids) {
+  using Kind = ShadowSpec::Kind;
+  if (spec.kind == Kind::RayMarch) return marchedShadow(environment, volumes, solids, spec.stepScale);
+  const auto kind = spec.kind == Kind::TransmittanceFunction ? ShadowMap::Kind::TransmittanceFunction
+                    : spec.kind == Kind::Deep                ? ShadowMap::Kind::Deep
+                                                             : ShadowMap::Kind::Extinction;
+  return newMap(kind, spec, environment, volumes, solids);
+}
+
 Result<std::shared_ptr<const ShadowMap>> buildShadow(const Gpu& gpu, const ShadowSpec& spec,
                                                      const scene::Light& light,
                                                      const volume::InstanceList& volumes,

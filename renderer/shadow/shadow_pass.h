@@ -33,6 +33,11 @@ class ShadowPass {
 std::shared_ptr<const ShadowMap> marchedShadow(const scene::Light& light, const volume::InstanceList& volumes,
                                                const scene::SolidList& solids, double stepScale = 0.5);
 
+/// What each sun that stands for an environment is to have: a shadow without a map, never looked up.
+std::shared_ptr<const ShadowMap> describedShadow(const ShadowSpec& spec, const scene::Light& environment,
+                                                 const volume::InstanceList& volumes,
+                                                 const scene::SolidList& solids);
+
 /// Builds to the end, for command lines and tests.
 Result<std::shared_ptr<const ShadowMap>> buildShadow(const Gpu& gpu, const ShadowSpec& spec,
                                                      const scene::Light& light,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/scene/environment_strata.h"
 #include "renderer/shadow/light_frustum.h"
 #include "renderer/shadow/reference.h"
+#include "renderer/shadow/shadow_pass.h"
 #include "renderer/truth/shadow_probe.h"
 
 namespace pileus::truth {
@@ -101,8 +103,16 @@ std::vector<double> positionsOf(const std::vector<dvec2>& covered, int count) {
 }  // namespace
 
 Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& light, const dvec3& point,
-                          int count) {
+                          int count, std::shared_ptr<const shadow::ShadowMap> made) {
   if (!light.shadow) return fail(Code::Input, "this light has no shadow");
+  if (light.light.kind == scene::LightKind::Environment) {
+    const scene::Light sun = scene::mainSun(*light.light.environment);
+    const ShadowMap& as = *light.shadow;
+    if (!made) {
+      PILEUS_TRY(made, shadow::buildShadow(gpu, as.spec, sun, as.volumes, as.solids));
+    }
+    return probeRay(gpu, {sun, made}, point, count);
+  }
   RayProbe probe;
   probe.map = light.shadow;
   probe.point = point;

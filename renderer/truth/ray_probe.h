@@ -38,10 +38,11 @@ struct RayProbe {
   double meanError = 0, maxError = 0, maxErrorX = 0;
 };
 
-/// The ray through a world point, at 2 `count` positions. Error (Input): the light has no shadow, or its map
-/// does not see the point.
+/// The ray through a world point, at 2 `count` positions; of an environment's main sun, whose map is made if
+/// it is not `made`, the one of an earlier probe of this light. Error (Input): the light has no shadow, or
+/// its map does not see the point.
 Result<RayProbe> probeRay(const shadow::Gpu& gpu, const shadow::ShadowedLight& light, const dvec3& point,
-                          int count = 256);
+                          int count = 256, std::shared_ptr<const shadow::ShadowMap> made = {});
 
 /// T at every position of the probe with some coefficients muted (shadow::tapsTransmittance).
 std::vector<double> mutedTransmittance(const RayProbe& probe, std::span<const char> muted);

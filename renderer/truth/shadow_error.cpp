@@ -17,19 +17,34 @@ constexpr double kRegionMs = 12;  // wanted: a dispatch cannot be interrupted
 
 ShadowErrorPass::ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth,
                                  int pairsAtOnce)
-    : options_(scene.options) {
+    : options_(scene.options),
+      volumes_(scene.volumes),
+      solids_(scene.solids),
+      mapped_(scene.lights),
+      truth_(truth.lights),
+      pairsAtOnce_(pairsAtOnce) {
+  if (std::none_of(scene.lights.begin(), scene.lights.end(), [](const auto& l) { return l.shadow; }))
+    fraction_ = 1;
+}
+
+Result<bool> ShadowErrorPass::pairUp(const shadow::Gpu& gpu, double ms) {
+  if (!groups_.empty()) return true;
+  PILEUS_TRY(const double mapped, mapped_.make(gpu, std::nullopt, ms));
+  PILEUS_TRY(const double truth, truth_.make(gpu, std::nullopt, ms));
+  if (mapped < 1 || truth < 1) return false;
   std::vector<shadow::ShadowedLight> pairs;
   const auto close = [&] {
-    if (!pairs.empty()) groups_.emplace_back(std::exchange(pairs, {}), scene.volumes, scene.solids);
+    if (!pairs.empty()) groups_.emplace_back(std::exchange(pairs, {}), volumes_, solids_);
   };
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    if (!scene.lights[i].shadow) continue;
-    pairs.push_back(scene.lights[i]);
-    pairs.push_back(truth.lights[i]);
-    if (pairs.size() == 2 * std::size_t(pairsAtOnce)) close();
+  for (std::size_t i = 0; i < mapped_.lights().size(); ++i) {
+    if (!mapped_.lights()[i].shadow) continue;
+    pairs.push_back(mapped_.lights()[i]);
+    pairs.push_back(truth_.lights()[i]);
+    if (pairs.size() == 2 * std::size_t(pairsAtOnce_)) close();
   }
   close();
-  if (groups_.empty()) fraction_ = 1;
+  if (groups_.empty()) fraction_ = 1;  // black environments
+  return true;
 }
 
 Result<void> ShadowErrorPass::start(const gl::DeviceInfo& device) {
@@ -59,6 +74,8 @@ Result<void> ShadowErrorPass::clearBins() {
 Result<double> ShadowErrorPass::step(const shadow::Gpu& gpu, double ms) {
   if (fraction_ >= 1) return 1.0;
   const Stopwatch clock;
+  PILEUS_TRY(const bool paired, pairUp(gpu, ms));
+  if (!paired) return fraction_;
   while (fraction_ < 1) {
     const ivec2 from = next_, to = glm::min(from + ivec2(width_, kRows), options_.size);
     const Stopwatch region;

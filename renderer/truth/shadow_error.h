@@ -8,6 +8,7 @@
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/texture.h"
 #include "renderer/view/camera_march.h"
+#include "renderer/view/sampled_lights.h"
 
 namespace pileus::truth {
 
@@ -27,8 +28,8 @@ class ErrorHistogram {
 class ShadowErrorPass {
  public:
   static constexpr int kPairs = MAX_LIGHTS / 2;  ///< of lights, as many as one dispatch may hold
-  /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it.
-  /// A dispatch takes `pairs` of them.
+  /// `truth` is the same scene with marched shadows (truthOf). Lights without a shadow have no part in it; of
+  /// environments the middles have (view::SampledLights). A dispatch takes `pairs` of them.
   ShadowErrorPass(const view::RenderScene& scene, const view::RenderScene& truth, int pairs = kPairs);
   /// Cuts every march into dispatches of so many loop iterations a pixel, needed or not (or
   /// residency::MarchBudget::kNever); before the first step.
@@ -53,12 +54,18 @@ class ShadowErrorPass {
   const gl::Texture& transmittances() const { return transmittances_; }
 
  private:
+  /// The pairs, once all their maps are there: true.
+  Result<bool> pairUp(const shadow::Gpu& gpu, double ms);
   Result<void> start(const gl::DeviceInfo& device);
   Result<void> draw(const shadow::Gpu& gpu, view::LightSet& lights, residency::MarchBudget& budget,
                     ivec2 from, ivec2 to);
   Result<void> collect(ivec2 from, ivec2 to);
   Result<void> clearBins();
   view::RenderOptions options_;
+  volume::InstanceList volumes_;
+  scene::SolidList solids_;
+  view::SampledLights mapped_, truth_;
+  int pairsAtOnce_;
   std::vector<view::LightSet> groups_;           ///< pairs of lights, each a dispatch
   std::vector<residency::MarchBudget> budgets_;  ///< of each group
   int pauseAfter_ = 0;

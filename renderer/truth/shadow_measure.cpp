@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "renderer/base/profile.h"
+#include "renderer/scene/environment_strata.h"
 
 namespace pileus::truth {
 namespace {
@@ -17,9 +18,11 @@ constexpr double kOnceMs = 5000,
 
 std::vector<Caster> casters(const view::RenderScene& scene) {
   std::vector<Caster> out;
-  for (const shadow::ShadowedLight& l : scene.lights)
-    out.push_back({int(out.size()), l.light, l.shadow ? l.shadow->volumes : scene.volumes,
-                   l.shadow ? l.shadow->solids : scene.solids});
+  for (const shadow::ShadowedLight& l : scene.lights) {
+    const bool environment = l.light.kind == scene::LightKind::Environment;
+    out.push_back({int(out.size()), environment ? scene::mainSun(*l.light.environment) : l.light,
+                   l.shadow ? l.shadow->volumes : scene.volumes, l.shadow ? l.shadow->solids : scene.solids});
+  }
   return out;
 }
 

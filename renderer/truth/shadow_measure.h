@@ -12,8 +12,8 @@ namespace pileus::truth {
 
 /// A light and what throws its shadow.
 struct Caster {
-  int light = 0;  ///< index in the scene's lights
-  scene::Light source;
+  int light = 0;                 ///< index in the scene's lights
+  scene::Light source;           ///< of an environment its main sun
   volume::InstanceList volumes;  ///< of its shadow where it has one, else the scene's
   scene::SolidList solids;
 };

@@ -156,7 +156,12 @@ struct Shootout::Impl {
     PILEUS_TRY(const double done, measuring->step(gpu, ms));
     if (done < 1) return {};
     entry.lights.push_back(measuring->measure());
-    shadowed.push_back({casters[shadowed.size()].source, measuring->map()});
+    const Caster& c = casters[shadowed.size()];
+    const scene::Light& light = scene.lights[std::size_t(c.light)].light;
+    const bool environment = light.kind == scene::LightKind::Environment;
+    shadowed.push_back(
+        {light, environment ? shadow::describedShadow(entry.lights.back().spec, light, c.volumes, c.solids)
+                            : measuring->map()});
     measuring.reset();
     return {};
   }

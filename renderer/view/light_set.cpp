@@ -1,6 +1,7 @@
 #include "renderer/view/light_set.h"
 
 #include <algorithm>
+#include <map>
 
 #include "renderer/shaders/shared/bindings.h"
 
@@ -8,6 +9,7 @@ namespace pileus::view {
 namespace {
 
 static_assert(MAX_LIGHTS * sizeof(gpu::LightRecord) <= 16384, "what a uniform block is guaranteed");
+static_assert(SUN_HEIGHTS == scene::kSunHeights && AIR_TOP == scene::kAirTop);
 
 const scene::Light kNoLight{.towards = {0, 1, 0}, .emitted = vec3(0.0f)};
 
@@ -25,7 +27,8 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
     : lights_(std::move(lights)),
       volumes_(emission ? residency::canonicalWithEmission(volumes) : residency::canonical(volumes)),
       drawnVolumes_(volumes_.size()),
-      drawnSolids_(solids.size()) {
+      drawnSolids_(solids.size()),
+      selected_(0, lights_.size()) {
   // Lights mostly share one list of solids, the drawn one: each different list is stored once.
   std::vector<std::pair<const scene::SolidList*, int>> lists;
   const auto rangeOf = [&](const scene::SolidList& list) {
@@ -55,21 +58,29 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
     }
     marched_.push_back({first, int(marchItems_.size()) - first});
   }
-}
-
-Result<void> LightSet::check() const {
-  if (lights_.size() <= MAX_LIGHTS) return {};
-  return fail(Code::Input, "lights: {} are linked, at most {} can be rendered together", lights_.size(),
-              MAX_LIGHTS);
+  std::map<const scene::SunAir*, int> air;
+  for (const shadow::ShadowedLight& l : lights_) {
+    int& first = air[l.light.air.get()];
+    if (l.light.air && first == 0) {
+      first = 1 + int(airTexels_.size());
+      for (const vec3& passes : l.light.air->passes) airTexels_.emplace_back(passes, 1.0f);
+    }
+    air_.push_back(first);
+  }
 }
 
 gl::Defines LightSet::defines() const {
-  const bool local = std::any_of(lights_.begin(), lights_.end(),
-                                 [](const auto& l) { return l.light.kind != scene::LightKind::Sun; });
-  const bool blocked =
-      std::any_of(blockers_.begin(), blockers_.end(), [](ivec2 range) { return range.y > 0; });
-  gl::Defines out = shadow::lookupDefines(lights_);
-  out.insert(out.end(), {{"LOCAL_LIGHTS", local}, {"BLOCKERS", blocked}});
+  const auto [first, count] = selected_;
+  const auto any = [first = first, count = count](const auto& list, const auto& is) {
+    const auto begin = list.begin() + std::ptrdiff_t(first);
+    return std::any_of(begin, begin + std::ptrdiff_t(count), is);
+  };
+  gl::Defines out = shadow::lookupDefines(selected());
+  out.insert(out.end(), {{"LOCAL_LIGHTS",
+                          any(lights_, [](const auto& l) { return l.light.kind != scene::LightKind::Sun; })},
+                         {"BLOCKERS", any(blockers_, [](ivec2 range) { return range.y > 0; })},
+                         {"AIR", any(air_, [](int texel) { return texel > 0; })},
+                         {"MANY_LIGHTS", count > MAX_LIGHTS}});
   return out;
 }
 
@@ -77,12 +88,14 @@ Result<void> LightSet::bind(const shadow::ShadowStore& store, residency::SceneTa
                             const dvec3& origin) {
   std::vector<gpu::LightRecord>& records = made_;
   records.clear();
-  for (std::size_t i = 0; i < lights_.size(); ++i) {
+  const auto [first, count] = selected_;
+  for (std::size_t i = first; i < first + count; ++i) {
     const shadow::ShadowMap* shadow = lights_[i].shadow.get();
     gpu::LightRecord& r = records.emplace_back(shadow::makeRecord(lights_[i].light, shadow, origin));
     if (shadow && shadow->kind == shadow::ShadowMap::Kind::RayMarch)
       r.items.y = marched_[i].x, r.items.z = marched_[i].y;
-    r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y;
+    r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y, r.solids.w = air_[i];
+    if (air_[i] > 0) r.position.y = float(lights_[i].light.air->altitude + origin.y);
   }
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));
   PILEUS_CHECK(records_.reserve(MAX_LIGHTS * sizeof(gpu::LightRecord)));
@@ -94,8 +107,12 @@ Result<void> LightSet::bind(const shadow::ShadowStore& store, residency::SceneTa
   }
   table.set(residency::SceneTable::Section::ShadowItems, std::span<const int>(marchItems_));
   table.set(residency::SceneTable::Section::Solids, std::span<const gpu::SolidRecord>(madeSolids_));
+  table.set(residency::SceneTable::Section::Air, std::span<const vec4>(airTexels_));
   store.bind();
-  records_.bindUniform(BIND_LIGHTS);
+  if (count > MAX_LIGHTS)
+    records_.bindStorage(BIND_LIGHTS);
+  else
+    records_.bindUniform(BIND_LIGHTS);
   return {};
 }
 

@@ -3,6 +3,7 @@
 // their shadows march through and the solids that block them. GL thread.
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/shader_library.h"
@@ -34,8 +35,12 @@ class LightSet {
   }
   /// The pass's own solids are the first of the solid records.
   std::size_t drawnSolids() const { return drawnSolids_; }
-  /// Error (Input) if there are more lights than a dispatch can hold.
-  Result<void> check() const;
+  /// Those that defines() and bind() are about, for who takes them in parts: all of them at first. A pass
+  /// that keeps something of each in registers takes MAX_LIGHTS at most.
+  void select(std::size_t first, std::size_t count) { selected_ = {first, count}; }
+  std::span<const shadow::ShadowedLight> selected() const {
+    return std::span(lights_).subspan(selected_.first, selected_.second);
+  }
   /// Variant constants of lib/light_transmittance.glsl, those of the map lookup included.
   gl::Defines defines() const;
   /// Records (made anew: maps may have moved) and the maps themselves to their binding points, lists into the
@@ -51,7 +56,10 @@ class LightSet {
   std::vector<int> marchItems_;
   scene::SolidList solids_;
   std::vector<ivec2> marched_, blockers_;  ///< per light: first and count in marchItems_ and in solids_
-  std::vector<gpu::LightRecord> made_;     ///< by the last bind(); kept for its storage
+  std::vector<int> air_;                   ///< per light: 1 + its first texel in airTexels_, or 0
+  std::vector<vec4> airTexels_;
+  std::pair<std::size_t, std::size_t> selected_;
+  std::vector<gpu::LightRecord> made_;  ///< by the last bind(); kept for its storage
   std::vector<gpu::SolidRecord> madeSolids_;
   std::optional<dvec3> madeFor_;  ///< the origin of those
   gl::Buffer records_{"light records"};

@@ -78,7 +78,7 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   const double most = kDenseSteps + (dense ? 3 : 1) * std::min(mostInTile(o.size, bounds, steps) + stretches,
                                                                STRETCH_MOST_STEPS * stretches);
   double fixed = 2, shadows = 0, local = 0;
-  for (const shadow::ShadowedLight& l : lights.lights()) {
+  for (const shadow::ShadowedLight& l : lights.selected()) {
     fixed += 2;
     if (l.light.kind != scene::LightKind::Sun) local += 1;
     if (!l.shadow) continue;
@@ -86,13 +86,13 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
     (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
   }
   const double overflow = longest > residency::kInRegisters ? longest : 0;
-  fixed += overflow * double(lights.lights().size());
+  fixed += overflow * double(lights.selected().size());
   residency::MarchCost cost;
   cost.stretch = longest + 2;
   // A near light's place is looked at before each step, and the phase function at some angles towards it.
   constexpr double kAngles = 32;
-  if (local > 0) fixed += double(lights.lights().size());
-  cost.step = int(overflow + (local > 0 ? double(lights.lights().size()) : 0)) + 1;
+  if (local > 0) fixed += double(lights.selected().size());
+  cost.step = int(overflow + (local > 0 ? double(lights.selected().size()) : 0)) + 1;
   cost.sample = int(fixed) + int(lights.drawnSolids());
   cost.pixel = stretches * cost.stretch + (most + 1) * (cost.step + cost.sample + shadows) +
                stretches * kAngles * local;

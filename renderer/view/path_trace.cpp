@@ -23,13 +23,22 @@ constexpr int kWork = 3500;
 constexpr int kHead = 16;  ///< bytes of the counters in front of the states
 
 /// A light without a shadow of its own gets that of what is drawn: light does not go through a cloud because
-/// nobody asked for a map. What stands for an environment is left out: that itself is traced.
+/// nobody asked for a map. Environments are traced.
 std::vector<shadow::ShadowedLight> shadowed(const RenderScene& scene) {
   std::vector<shadow::ShadowedLight> out = layerLights(scene);
-  std::erase_if(out, [](const shadow::ShadowedLight& l) { return l.light.environment != nullptr; });
+  std::erase_if(out,
+                [](const shadow::ShadowedLight& l) { return l.light.kind == scene::LightKind::Environment; });
   for (shadow::ShadowedLight& l : out)
     if (!l.shadow) l.shadow = shadow::marchedShadow(l.light, scene.volumes, scene.solids);
   return out;
+}
+
+/// From sums over the pixels that count: of their means, their squared deviations, and how many they are.
+void conclude(const dvec3& sums, PathStatistics& out) {
+  if (sums.z == 0) return;
+  const double n = out.samples;
+  out.mean = sums.x / sums.z;
+  out.standardError = n > 1 ? std::sqrt(sums.y / sums.z / (n * (n - 1))) : 0;
 }
 
 bool tinted(const volume::InstanceList& volumes) {
@@ -85,11 +94,11 @@ int PathTracePass::roundEnd() const {
   return std::min(most, done == 0 ? 1 : done < kRound ? 2 * done : done + kRound);
 }
 
-bool PathTracePass::enough() {
+Result<bool> PathTracePass::enough(const shadow::Gpu& gpu) {
   if (picture_->samples >= scene_->options.samples) return true;
   if (options_.seconds > 0 && spentMs_ > 1e3 * options_.seconds) return endedByTime_ = true;
   if (options_.noise > 0 && picture_->samples >= 16) {
-    const PathStatistics s = statistics();
+    PILEUS_TRY(const PathStatistics s, noise(gpu));
     return s.mean > 0 && s.standardError <= options_.noise * s.mean;
   }
   return false;
@@ -109,7 +118,6 @@ void PathTracePass::finish() {
 Result<double> PathTracePass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
   if (done_) return 1.0;
-  PILEUS_CHECK(lights_.check());
   PILEUS_TRY(residency_, run_.prepare(gpu.bricks, lights_.volumes(), ms, originOf(scene_->options, lights_)));
   if (residency_.fraction < 1) return 0.1 * residency_.fraction;
   if (!picture_) PILEUS_CHECK(start(gpu));
@@ -126,7 +134,8 @@ Result<double> PathTracePass::step(const shadow::Gpu& gpu, double ms) {
     if (!run_.cursor.done()) continue;
     run_.cursor.restart();
     picture_->samples = roundEnd();
-    if (enough()) {
+    PILEUS_TRY(const bool ends, enough(gpu));
+    if (ends) {
       finish();
       break;
     }
@@ -197,17 +206,34 @@ PathStatistics PathTracePass::statistics() const {
   std::vector<vec4> mean(pixels), deviations(pixels);
   gl::readTexels(picture_->color, GL_RGBA, 4, &mean[0].x);
   gl::readTexels(deviations_, GL_RGBA, 4, &deviations[0].x);
-  double sum = 0, squares = 0;
-  std::size_t count = 0;
+  dvec3 sums(0);
   for (std::size_t i = 0; i < pixels; ++i) {
     if (!(mean[i].a > 0.01f)) continue;
-    ++count;
-    for (int c = 0; c < 3; ++c) sum += double(mean[i][c]) / 3, squares += double(deviations[i][c]) / 3;
+    ++sums.z;
+    for (int c = 0; c < 3; ++c) sums.x += double(mean[i][c]) / 3, sums.y += double(deviations[i][c]) / 3;
   }
-  if (count == 0) return out;
-  const double n = out.samples;
-  out.mean = sum / double(count);
-  out.standardError = n > 1 ? std::sqrt(squares / double(count) / (n * (n - 1))) : 0;
+  conclude(sums, out);
+  return out;
+}
+
+Result<PathStatistics> PathTracePass::noise(const shadow::Gpu& gpu) {
+  PathStatistics out{picture_ ? picture_->samples : 0};
+  if (out.samples == 0) return out;
+  PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/path_noise.comp.glsl"}));
+  const std::size_t pixels = std::size_t(picture_->size.x) * std::size_t(picture_->size.y);
+  std::vector<vec4> parts((pixels + PATH_NOISE_PIXELS - 1) / PATH_NOISE_PIXELS);
+  PILEUS_CHECK(sums_.reserve(parts.size() * sizeof(vec4)));
+  program->use();
+  program->set("size", picture_->size);
+  sums_.bindStorage(BIND_PATH_STATES);
+  glBindImageTexture(IMAGE_MEAN, picture_->color.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindImageTexture(IMAGE_DEVIATIONS, deviations_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glDispatchCompute(GLuint((parts.size() + 63) / 64), 1, 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(sums_.id(), 0, GLsizeiptr(parts.size() * sizeof(vec4)), parts.data());
+  dvec3 sums(0);
+  for (const vec4& part : parts) sums += dvec3(part);
+  conclude(sums, out);
   return out;
 }
 

@@ -65,8 +65,10 @@ class PathTracePass {
   /// To the finished picture.
   void addLayer(Picture::Named layer) { picture_->layers.push_back(std::move(layer)); }
   const residency::Residency& residency() const { return residency_; }
-  /// Of whole samples; waits for the GPU.
+  /// Of whole samples; reads the picture back.
   PathStatistics statistics() const;
+  /// What of them the noise limit asks for (no counts of violations), summed on the GPU.
+  Result<PathStatistics> noise(const shadow::Gpu& gpu);
   /// Variances of pixel means, rgb and alpha.
   Result<std::shared_ptr<const Picture>> variance() const;
   /// Means of the even samples and of the odd ones, which are independent; of two samples at least.
@@ -79,7 +81,7 @@ class PathTracePass {
   Result<void> start(const shadow::Gpu& gpu);
   Result<bool> dispatch(const shadow::Gpu& gpu);
   int roundEnd() const;
-  bool enough();
+  Result<bool> enough(const shadow::Gpu& gpu);
   void finish();
   std::shared_ptr<const RenderScene> scene_;
   PathOptions options_;
@@ -92,7 +94,7 @@ class PathTracePass {
   std::shared_ptr<Picture> picture_;
   std::shared_ptr<const Picture> seed_;
   gl::Texture deviations_, odd_;
-  gl::Buffer states_{"path states"};
+  gl::Buffer states_{"path states"}, sums_{"path sums"};
   gl::Pace pace_{1, 1, 1};
   int dispatched_ = 0;  ///< of the region at work
   long violations_ = 0, endless_ = 0;

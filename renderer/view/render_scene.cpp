@@ -30,14 +30,9 @@ std::shared_ptr<const scene::Environment> backdropOf(const RenderScene& scene) {
 }
 
 std::shared_ptr<const scene::Environment> layerEnvironment(const RenderScene& scene) {
-  const PictureLayer& layer = scene.options.layer;
-  if (layer.kind == Kind::Beauty) return scene::joined(all(scene));
-  const auto i = std::size_t(layer.light);
-  if (layer.kind != Kind::Light || i >= scene.lights.size()) return nullptr;
-  const auto& mine = scene.lights[i].light.environment;
-  const bool first = std::none_of(scene.lights.begin(), scene.lights.begin() + layer.light,
-                                  [&](const auto& l) { return l.light.environment == mine; });
-  return first ? mine : nullptr;
+  std::vector<scene::Light> lights;
+  for (const shadow::ShadowedLight& l : layerLights(scene)) lights.push_back(l.light);
+  return scene::joined(scene::environmentsOf(lights));
 }
 
 }  // namespace pileus::view

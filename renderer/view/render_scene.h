@@ -63,12 +63,9 @@ inline bool emits(const RenderScene& scene) {
 
 /// The lights that its layer is made of.
 std::vector<shadow::ShadowedLight> layerLights(const RenderScene& scene);
-/// What cameras see in its layer behind all else: of the environments that its lights stand for those that
-/// are visible. Null: nothing.
+/// What cameras see in its layer behind all else: those of its environments that are visible. Null: nothing.
 std::shared_ptr<const scene::Environment> backdropOf(const RenderScene& scene);
-/// Of those environments what lights its layer, for who leaves out the lights that stand for them. In a
-/// light's layer it is the whole one where the light is the first that stands for it: so layers add up to the
-/// beauty. Null: none.
+/// The environments that light its layer, as one. Null: none.
 std::shared_ptr<const scene::Environment> layerEnvironment(const RenderScene& scene);
 
 }  // namespace pileus::view

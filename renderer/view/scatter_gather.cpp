@@ -148,21 +148,23 @@ vec3 scaledLight(const volume::InstanceList& volumes) {
 }
 
 ScatterGather::ScatterGather(std::shared_ptr<const RenderScene> scene, const transport::Lattice& lattice,
-                             bool emission)
+                             bool emission, std::shared_ptr<KeptSuns> kept)
     : scene_(std::move(scene)),
       lattice_(lattice),
       emission_(emission),
-      lights_(layerLights(*scene_), scene_->volumes, scene_->solids, emission),
-      lightScale_(scaledLight(scene_->volumes)) {}
+      sampled_(layerLights(*scene_)),
+      lightScale_(scaledLight(scene_->volumes)) {
+  sampled_.keep(std::move(kept));
+}
 
 Result<void> ScatterGather::start(const shadow::Gpu& gpu) {
   transport::Cells blank{lattice_, std::vector<transport::Cell>(lattice_.count())};
   markSolids(scene_->solids, blank);
   PILEUS_CHECK(cells_.assign(std::span<const transport::Cell>(blank.cells)));
-  std::vector<std::vector<int>> lists(1, std::vector<int>(lights_.drawnVolumes()));
+  std::vector<std::vector<int>> lists(1, std::vector<int>(lights_->drawnVolumes()));
   std::iota(lists[0].begin(), lists[0].end(), 0);
   run_.list(lists);
-  budget_.plan(gatherCost(lights_), gpu.device);
+  budget_.plan(gatherCost(*lights_), gpu.device);
   run_.cursor = gl::RegionCursor({lattice_.cells.x, lattice_.cells.y * lattice_.cells.z}, gpu.device, 4);
   sample_ = 0;
   return {};
@@ -171,12 +173,16 @@ Result<void> ScatterGather::start(const shadow::Gpu& gpu) {
 Result<double> ScatterGather::step(const shadow::Gpu& gpu, double ms) {
   if (sample_ >= SCATTER_SAMPLES) return 1.0;
   const Stopwatch clock;
-  PILEUS_CHECK(lights_.check());
+  if (!lights_) {
+    PILEUS_TRY(const double made, sampled_.make(gpu, std::nullopt, ms));
+    if (made < 1) return 0.1 * made;
+    lights_.emplace(sampled_.lights(), scene_->volumes, scene_->solids, emission_);
+  }
   const dvec3 origin = lattice_.min + 0.5 * lattice_.cell * dvec3(lattice_.cells);
-  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, lights_.volumes(), ms, origin));
-  if (residency.fraction < 1) return 0.1 * residency.fraction;
+  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, lights_->volumes(), ms, origin));
+  if (residency.fraction < 1) return 0.1 + 0.1 * residency.fraction;
   if (sample_ < 0) PILEUS_CHECK(start(gpu));
-  PILEUS_CHECK(lights_.bind(gpu.store, run_.table(), run_.origin()));
+  PILEUS_CHECK(lights_->bind(gpu.store, run_.table(), run_.origin()));
   do {
     PILEUS_TRY(const bool drawn, dispatch(gpu));
     if (!drawn) continue;
@@ -187,11 +193,11 @@ Result<double> ScatterGather::step(const shadow::Gpu& gpu, double ms) {
   } while (sample_ < SCATTER_SAMPLES && clock.ms() < ms);
   return sample_ >= SCATTER_SAMPLES
              ? 1.0
-             : std::min(0.1 + 0.9 * (sample_ + run_.cursor.fraction()) / SCATTER_SAMPLES, 0.9999);
+             : std::min(0.2 + 0.8 * (sample_ + run_.cursor.fraction()) / SCATTER_SAMPLES, 0.9999);
 }
 
 Result<bool> ScatterGather::dispatch(const shadow::Gpu& gpu) {
-  gl::Defines defines = lights_.defines();
+  gl::Defines defines = lights_->defines();
   for (const auto& [name, value] : run_.defines()) defines.emplace_back(name, value);
   defines.insert(defines.end(),
                  {{"EMISSION", emission_}, {"RESUME", budget_.resumes()}, {"REACHED", budget_.reached()}});
@@ -202,7 +208,7 @@ Result<bool> ScatterGather::dispatch(const shadow::Gpu& gpu) {
   program->set("latticeMin", vec3(lattice_.min - run_.origin()));
   program->set("latticeCell", float(lattice_.cell));
   program->set("sampleIndex", sample_);
-  program->set("lightCount", std::max(int(lights_.lights().size()), 1));
+  program->set("lightCount", std::max(int(lights_->lights().size()), 1));
   program->set("lightScale", lightScale_);
   return run_.dispatch(*program, &budget_);
 }

@@ -2,12 +2,14 @@
 // What the cells of a lattice hold of the media, and what of the lights is scattered in them for the first
 // time, each light through its own shadow. GL thread.
 #include <memory>
+#include <optional>
 
 #include "renderer/residency/region_run.h"
 #include "renderer/shadow/gpu.h"
 #include "renderer/transport/lattice.h"
 #include "renderer/view/light_set.h"
 #include "renderer/view/render_scene.h"
+#include "renderer/view/sampled_lights.h"
 
 namespace pileus::view {
 
@@ -23,13 +25,16 @@ vec3 scaledLight(const volume::InstanceList& volumes);
 
 class ScatterGather {
  public:
-  /// Of the layer's lights; `emission`: what emits counts.
-  ScatterGather(std::shared_ptr<const RenderScene> scene, const transport::Lattice& lattice, bool emission);
-  /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
+  /// Of the layer's lights, of environments the middles; `emission`: what emits counts; `kept` as
+  /// SampledLights has it.
+  ScatterGather(std::shared_ptr<const RenderScene> scene, const transport::Lattice& lattice, bool emission,
+                std::shared_ptr<KeptSuns> kept);
+  /// Works for about `ms` milliseconds (at least one region or one step of a shadow map); the fraction done,
+  /// 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Once step() said 1.
   transport::Cells cells() const;
-  double takeGpuMs() { return run_.takeGpuMs(); }
+  double takeGpuMs() { return run_.takeGpuMs() + sampled_.takeGpuMs(); }
 
  private:
   Result<void> start(const shadow::Gpu& gpu);
@@ -37,7 +42,8 @@ class ScatterGather {
   std::shared_ptr<const RenderScene> scene_;
   transport::Lattice lattice_;
   bool emission_;
-  LightSet lights_;
+  SampledLights sampled_;
+  std::optional<LightSet> lights_;  ///< none: still to be made
   vec3 lightScale_;
   residency::RegionRun run_;
   residency::MarchBudget budget_;

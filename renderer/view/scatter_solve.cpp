@@ -24,6 +24,14 @@ Key keyOf(const RenderScene& scene, bool emission) {
     for (const double v : {light.radius, light.cone, light.softness, light.narrow}) h.add(v);
     // A shadow that is made anew is another one; its address may be that of one before, its number not.
     h.add(l.shadow ? l.shadow->number : 0);
+    if (light.environment) {
+      const scene::EnvironmentMap& map = *light.environment->map;
+      h.add(map.size.x).bytes(map.radiance.data(), map.radiance.size() * sizeof(vec3));
+      h.add(light.environment->rotation);
+      add(h, dvec3(light.environment->scale));
+    }
+    if (light.air)
+      h.add(light.air->altitude).bytes(light.air->passes.data(), light.air->passes.size() * sizeof(vec3));
   }
   for (const scene::Solid& s : scene.solids) {
     h.add(s.shape).bytes(&s.worldFromLocal, sizeof s.worldFromLocal);
@@ -61,8 +69,9 @@ void ScatterCache::keep(const Key& key, std::shared_ptr<const ScatterField> fiel
   if (fields_.size() > kMost) fields_.pop_back();
 }
 
-ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache)
-    : scene_(std::move(scene)), cache_(std::move(cache)) {
+ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
+                           std::shared_ptr<KeptSuns> kept)
+    : scene_(std::move(scene)), cache_(std::move(cache)), kept_(std::move(kept)) {
   emission_ = scene_->options.layer.kind != Kind::Light && emits(*scene_);
   key_ = keyOf(*scene_, emission_);
   if (cache_) field_ = cache_->find(key_);
@@ -82,7 +91,8 @@ Result<double> ScatterSolve::step(const shadow::Gpu& gpu, double ms) {
   if (!job_) {
     const Stopwatch clock;
     while (cells_.size() < lattices_.size()) {
-      if (!gather_) gather_ = std::make_unique<ScatterGather>(scene_, lattices_[cells_.size()], emission_);
+      if (!gather_)
+        gather_ = std::make_unique<ScatterGather>(scene_, lattices_[cells_.size()], emission_, kept_);
       PILEUS_TRY(const double gathered, gather_->step(gpu, std::max(ms - clock.ms(), 0.0)));
       gpuMs_ += gather_->takeGpuMs();
       if (gathered >= 1) cells_.push_back(gather_->cells()), gather_ = nullptr;

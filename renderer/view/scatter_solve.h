@@ -26,8 +26,9 @@ class ScatterCache {
 
 class ScatterSolve {
  public:
-  /// `cache` may be null.
-  ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache);
+  /// `cache` may be null; `kept` as SampledLights has it.
+  ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
+               std::shared_ptr<KeptSuns> kept = {});
   /// Works for about `ms` milliseconds, or looks whether the job is done (with infinitely many: waits for
   /// it); 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
@@ -38,6 +39,7 @@ class ScatterSolve {
  private:
   std::shared_ptr<const RenderScene> scene_;
   std::shared_ptr<ScatterCache> cache_;
+  std::shared_ptr<KeptSuns> kept_;
   Key key_;
   std::vector<transport::Lattice> lattices_;
   std::vector<transport::Cells> cells_;    ///< of those that are gathered

@@ -53,12 +53,10 @@ inline view::RenderScene rayScene(const dvec3& eye, const dvec3& target, int siz
 
 /// The same radiance from everywhere above the horizon, and from below it, as a light.
 inline shadow::ShadowedLight halves(const vec3& above, const vec3& below) {
-  scene::Light light;
   scene::EnvironmentMap map{{4, 256}, std::vector<vec3>(4 * 256, below)};
   std::fill_n(map.radiance.begin(), 4 * 128, above);
-  auto e = std::make_shared<scene::Environment>(scene::environmentOf(std::move(map)));
-  light.environment = e;
-  return {light, nullptr};
+  return {scene::environmentLight(std::make_shared<scene::Environment>(scene::environmentOf(std::move(map)))),
+          nullptr};
 }
 
 /// Within 4 standard errors of `right`, which have to be below `precision` of it.

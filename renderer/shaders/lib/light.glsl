@@ -1,10 +1,17 @@
 // Lights: what arrives unshadowed, where a point lies in a light's map, and a map texel's light ray. Twins:
-// scene/light.h, shadow/light_frustum.h.
+// scene/light.h, shadow/light_frustum.h. Variant constant: MANY_LIGHTS (1: more than a uniform block holds).
 #pragma once
 #include "shared/bindings.h"
 #include "shared/records.h"
 
+#ifndef MANY_LIGHTS
+#define MANY_LIGHTS 0
+#endif
+#if MANY_LIGHTS
+layout(std430, binding = BIND_LIGHTS) readonly buffer LightBlock { LightRecord lights[]; };
+#else
 layout(std140, binding = BIND_LIGHTS) uniform LightBlock { LightRecord lights[MAX_LIGHTS]; };
+#endif
 
 // Towards the light from p, and E(p) [W/m^2] without shadow.
 struct Incidence {

@@ -1,7 +1,8 @@
 // What arrives of a light at a point: through the media by whatever shadow it has, and past the solids that
 // block it. What is read here is bound by view/light_set.h, volumes by residency/volume_set.h.
 // Variant constants: LIGHT_KINDS (bit SHADOW_* for each kind of shadow the lights have), LOCAL_LIGHTS (0:
-// suns only), BLOCKERS of lib/solid.glsl and those of lib/shadow_map.glsl.
+// suns only), AIR (1: some of these behind air), BLOCKERS of lib/solid.glsl and those of
+// lib/shadow_map.glsl.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/light.glsl"
@@ -15,13 +16,33 @@
 // Of the volumes that shadows march through.
 int shadowItem(int i) { return sceneNumber(4 * sceneSections.z + i); }
 
+#ifndef AIR
+#define AIR 0
+#endif
+
+// What the air lets through of light l at p.
+vec3 airPasses(int l, vec3 p) {
+#if AIR
+  int first = lights[l].solids.w - 1;
+  float above = clamp((p.y + lights[l].position.y) / float(AIR_TOP), 0.0, 1.0);
+  float at = sqrt(above) * float(SUN_HEIGHTS - 1);
+  int i = min(int(at), SUN_HEIGHTS - 2), texel = sceneAir + max(first, 0) + i;
+  vec3 passes = mix(sceneFloats(texel).rgb, sceneFloats(texel + 1).rgb, at - float(i));
+  return first < 0 ? vec3(1.0) : passes;
+#else
+  return vec3(1.0);
+#endif
+}
+
 // Towards the light, and E without shadow.
 Incidence unshadowed(int l, vec3 p) {
 #if LOCAL_LIGHTS
-  return lightAt(l, p);
+  Incidence i = lightAt(l, p);
 #else
-  return Incidence(lights[l].towards.xyz, 1e30, 1.0, lights[l].emitted.rgb);
+  Incidence i = Incidence(lights[l].towards.xyz, 1e30, 1.0, lights[l].emitted.rgb);
 #endif
+  i.irradiance *= airPasses(l, p);
+  return i;
 }
 
 // Through the volumes that light l's shadow marches through. Where they take several dispatches: on from the

@@ -5,6 +5,7 @@
 
 layout(binding = UNIT_SCENE) uniform usamplerBuffer sceneTexels;
 uniform ivec4 sceneSections;  // first texels: x tile offsets, y tile items, z shadow items, w solids
+uniform int sceneAir;         // and of what suns are seen through
 
 uvec4 sceneBits(int texel) { return texelFetch(sceneTexels, texel); }
 vec4 sceneFloats(int texel) { return uintBitsToFloat(sceneBits(texel)); }

@@ -10,6 +10,7 @@
 #define IMAGE_DEVIATIONS 1   // rgb: sums of squared deviations from it
 #define IMAGE_ODD 2          // mean of every other sample
 #define PATH_STATE_BYTES 160
+#define PATH_NOISE_PIXELS 64  // whose sums come back as one
 
 #define TRANSMITTANCE_RATIO 0   // of shadow rays: ratio tracking
 #define TRANSMITTANCE_SERIES 1  // a power series around what the light's map says

@@ -88,7 +88,13 @@ struct BlockRecord {
 #define LIGHT_HAS_WEIGHTS 1  // of intervals
 #define LIGHT_HAS_HORIZON 2
 
-#define MAX_LIGHTS 48  // of one dispatch: fits the 16 KiB a uniform block is guaranteed
+// Of a sun behind air, so many texels of the scene table: transmittance by colour at heights above the sea
+// that rise with the square of the index up to AIR_TOP metres.
+#define SUN_HEIGHTS 512
+#define AIR_TOP 100e3
+
+// As a uniform block, which is guaranteed 16 KiB; with MANY_LIGHTS they are a storage block without limit.
+#define MAX_LIGHTS 48
 struct LightRecord {
   mat4 lightFromWorld;  // sun: world -> (u, v, x) in [0,1]^3, x from the near to the far plane; else: rigid,
                         // the light at the origin, z along its axis
@@ -98,11 +104,13 @@ struct LightRecord {
   vec4 emitted;   // rgb: irradiance [W/m^2] or radiant intensity [W/sr]; w: radius [m]
   vec4 extent;    // x: metres from near to far; y: step scale of a ray march; z: near distance [m] (0 for a
                   // sun); w: tangent of a map's half angle
-  vec4 position;  // xyz: of a point or spot light; w: cosine where a spot begins to fade
+  vec4 position;  // xyz: of a point or spot light; w: cosine where a spot begins to fade. Of a sun behind
+                  // air y: height above the sea of what places are relative to
   ivec4 shadow;   // x: SHADOW_*, y: BASIS_*, z: coefficients, w: METRIC_*
   ivec4 items;    // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray
                   // march) or first deep texel; w: LIGHT_*
-  ivec4 solids;   // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*
+  ivec4 solids;   // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*;
+                  // w: of a sun behind air 1 + its first texel there, else 0
   BlockRecord metric;
   BlockRecord coefficients;
   ivec4 weights;  // place of the weights' layers (STORE_BYTE), edge and faces as the metric's

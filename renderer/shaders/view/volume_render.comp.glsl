@@ -8,7 +8,8 @@
 // all ways (Nakajima and Tanaka 1988): so what is scattered once has its exact phase function still.
 // With OCTAVES so many sums stand for it, each with less light, depth and direction than the one before
 // (Wrenninge 2013).
-// Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or 0: lightCount), REACHED (at least
+// Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or
+// 0: lightCount), REACHED (at least
 // as many), DEPTH (1: no light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
 // lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
@@ -38,6 +39,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2D target;
 uniform int lightCount, sampleIndex, samples;  // at least one light (a black one, if need be)
+uniform int morePart;  // 1: of too many lights for one dispatch these come on top of those before
 const bool kDepth = DEPTH != 0;
 const int kLights = LIGHTS;  // known: their loop is unrolled, offsets into the uniform block are constants
 
@@ -99,7 +101,8 @@ vec3 scattering(Stretch s, StretchSample x, float cosine, float narrow) {
   return sum;
 }
 
-// The same of what light l sends, over a step; phase functions with `contrast` of their directions. Light travels along -towards and is scattered into -d: the
+// The same of what light l sends, over a step; phase functions with `contrast` of their directions. Light
+// travels along -towards and is scattered into -d: the
 // cosine is that between the two directions of travel. A near light's turns on the way; at an angle a it is
 // -sin a, and each angle has the same part in 1/r^2.
 vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
@@ -128,7 +131,8 @@ vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
 Through meanReaching(Through first, Through last, Through depth, Passage q) {
   Through fall = log(first / last) + depth, seen = last * exp(-depth);
   Through flat_ = 1.0 - step(0.05, abs(fall));
-  Through even = mix((first - seen) / (fall + flat_), 0.5 * (first + seen) * (1.0 - fall * fall / 12.0), flat_);
+  Through even =
+      mix((first - seen) / (fall + flat_), 0.5 * (first + seen) * (1.0 - fall * fall / 12.0), flat_);
 #if LOCAL_LIGHTS
   // Between that, where 1/r^2 is the same everywhere, and what there is where it has its peak.
   return mix(first * exp(-fall * q.centre), even, q.spread);
@@ -204,7 +208,7 @@ bool addScattered(Stretch s, StretchSample x) {
       float reaches = max(lightTransmittance(l, end), kNoLight);
       lightDone(l);
       Passage q = passage(l, from, s.d, x.ds);
-      vec3 open = openTo(l, middle) * q.falloff * lights[l].emitted.rgb;
+      vec3 open = openTo(l, middle) * q.falloff * airPasses(l, middle) * lights[l].emitted.rgb;
       vec3 source = scattering(s, x, l, q, 1.0) *
                     meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
 #if OCTAVES > 1
@@ -224,7 +228,7 @@ bool addScattered(Stretch s, StretchSample x) {
   L += T * x.ds * sum;
   if (paused) return true;
 #if SCATTER_GRID
-  x.glow += scatteredAgain(middle, -s.d, x.scattering, x.forward);
+  if (morePart == 0) x.glow += scatteredAgain(middle, -s.d, x.scattering, x.forward);
 #endif
   if (!begin) L += T * x.ds * meanThrough(x) * x.glow;
   lit = x.sigma > 0.0;
@@ -249,7 +253,7 @@ vec3 reflected(CameraRay ray) {
     ++l;
   } while (l < lightCount);
 #if SCATTER_GRID
-  sum += paused ? vec3(0.0) : scatteredOnto(off, ray.normal);
+  sum += paused || morePart == 1 ? vec3(0.0) : scatteredOnto(off, ray.normal);
 #endif
   return sum * solidAlbedo(ray.solid) / 3.14159265358979;
 }
@@ -265,8 +269,8 @@ void addSolid(CameraRay ray) {
 
 // What is not a number is stored as such: whoever reads the picture back says at which pixel it is.
 void storeRadiance(ivec2 pixel, vec4 before) {
-  vec4 now = vec4(L, 1.0 - clear);
-  imageStore(target, pixel, before + (now - before) / float(sampleIndex + 1));
+  vec4 now = vec4(L, 1.0 - clear), sum = morePart == 1 ? vec4(L, 0.0) : now - before;
+  imageStore(target, pixel, before + sum / float(sampleIndex + 1));
 }
 
 // Weights are averaged, depths by their weights: a pixel half covered is as far away as what covers it.
@@ -298,7 +302,7 @@ void main() {
 #endif
   keep(regionSlot(pixel), vec4(L, clear));
   if (paused) return;
-  vec4 before = sampleIndex == 0 ? vec4(0.0) : imageLoad(target, pixel);
+  vec4 before = sampleIndex == 0 && morePart == 0 ? vec4(0.0) : imageLoad(target, pixel);
   if (kDepth)
     storeDepth(pixel, before);
   else

@@ -50,7 +50,7 @@ TEST(PathInvariance, WhateverMapsSay) {
   const test::Traced right = test::traced(scene);
   const shadow::ShadowSpec spec{};
   for (shadow::ShadowedLight& l : scene.lights)
-    if (!l.light.environment) l = test::shadowed(l.light, spec, scene.volumes);
+    if (l.light.kind != scene::LightKind::Environment) l = test::shadowed(l.light, spec, scene.volumes);
   expectSame(right, test::traced(scene), "through their maps");
   for (const double factor : {0.0, 1.0}) {
     view::PathOptions o;
@@ -133,6 +133,27 @@ TEST(PathInvariance, OrdersAddUp) {
     std::printf("  orders %d .. %d: %.5f\n", orders.x + 1, orders.y + 1, part.gray());
   }
   EXPECT_NEAR(sum.x, all.mean.x, 1e-5 * all.mean.x);
+}
+
+// What ends a picture by its noise is summed on the GPU: the statistics of what is read back.
+TEST(PathNoise, SumsAreThoseOfThePicture) {
+  view::RenderScene scene = cloud(4096);
+  scene.options.size = {37, 19};  // no multiple of what an invocation sums
+  view::PathOptions options;
+  options.noise = 0.1;
+  view::PathTracePass pass(scene, options);
+  test::runToEnd(pass);
+  const view::PathStatistics read = pass.statistics();
+  const auto summed = pass.noise(test::renderer().gpu());
+  ASSERT_TRUE(summed) << summed.error().message;
+  EXPECT_EQ(summed->samples, read.samples);
+  EXPECT_NEAR(summed->mean, read.mean, 1e-6 * read.mean);
+  EXPECT_NEAR(summed->standardError, read.standardError, 1e-6 * read.standardError);
+  std::printf("  %d samples, %.4f of the mean\n", read.samples, read.standardError / read.mean);
+  EXPECT_GE(read.samples, 16);
+  EXPECT_LT(read.samples, 4096);
+  EXPECT_LE(read.standardError, 0.1 * read.mean);
+  EXPECT_GE(read.standardError, 0.05 * read.mean) << "and not long before";
 }
 
 }  // namespace

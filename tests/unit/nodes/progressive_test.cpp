@@ -87,6 +87,7 @@ Result<Out> readAll(const In& in, EvalContext& ctx) {
   all += ctx.quality() == Quality::Draft ? 1 : 0;
   all += ctx.freeCamera() ? ctx.freeCamera()->fov : 0;
   all += ctx.layer().light + (ctx.extra().depth ? 1 : 0) + ctx.region().max.x + (ctx.seed() ? 1 : 0);
+  all += double(ctx.ocio().size());
   return Out{marked(in.value + all)};
 }
 Result<Out> readFrame(const In& in, EvalContext& ctx) { return Out{marked(in.value + ctx.frame())}; }
@@ -145,9 +146,10 @@ const NodeType* lookup(std::string_view id) {
       makeNode<In, Out>("t.size", 1, describeUses<UsesSize>, pass),
       makeNode<In, Out>("t.quality", 1, describeUses<UsesQuality>, pass),
       makeNode<In, Out>("t.free", 1, describeUses<UsesFreeCamera>, pass),
-      makeNode<In, Out>(
-          "t.reads", 1,
-          describeUses<UsesFrame | UsesRate | UsesSize | UsesQuality | UsesFreeCamera | UsesLayers>, readAll),
+      makeNode<In, Out>("t.reads", 1,
+                        describeUses<UsesFrame | UsesRate | UsesSize | UsesQuality | UsesFreeCamera |
+                                     UsesLayers | UsesColors>,
+                        readAll),
       makeNode<In, Out>("t.reads_none", 1, describeIt, readAll),
       makeNode<In, Out>("t.reads_frame", 1, describeUses<UsesSize>, readFrame),
       makeNode<NoIn, CameraOut>(
@@ -484,7 +486,7 @@ TEST_F(Progressive, WhatATypeDoesNotDeclareItMayNotRead) {
   const test::ExpectLogged expected;
   EXPECT_EQ(logged("none"),
             "none: internal error: t.reads_none reads parts of the context that it does not declare: frame, "
-            "size, quality, freeCamera, layers, rate");
+            "size, quality, freeCamera, layers, rate, colors");
   EXPECT_EQ(
       logged("frame"),
       "frame: internal error: t.reads_frame reads parts of the context that it does not declare: frame");

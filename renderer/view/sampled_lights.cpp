@@ -1,0 +1,108 @@
+#include "renderer/view/sampled_lights.h"
+
+#include <algorithm>
+
+#include "renderer/base/profile.h"
+#include "renderer/scene/environment_strata.h"
+
+namespace pileus::view {
+namespace {
+
+bool isEnvironment(const shadow::ShadowedLight& l) { return l.light.kind == scene::LightKind::Environment; }
+
+}  // namespace
+
+SampledLights::SampledLights(std::vector<shadow::ShadowedLight> lights) : all_(std::move(lights)) {
+  for (const shadow::ShadowedLight& l : all_)
+    strata_.push_back(isEnvironment(l) ? scene::strataOf(*l.light.environment) : nullptr);
+}
+
+bool SampledLights::vary() const {
+  return std::any_of(strata_.begin(), strata_.end(), [](const auto& s) { return s != nullptr; });
+}
+
+void SampledLights::plan(std::optional<unsigned> set) {
+  pass_.reset();
+  lights_.clear();
+  planned_.clear();
+  set_.emplace(set);
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const shadow::ShadowedLight& l = all_[i];
+    if (!strata_[i]) {
+      planned_.push_back({l.light, l.shadow, false});
+      continue;
+    }
+    for (const scene::Light& sun : scene::standIns(*l.light.environment, *strata_[i], set))
+      planned_.push_back({sun, l.shadow, l.shadow != nullptr});
+  }
+}
+
+KeptSuns SampledLights::kept() const {
+  KeptSuns out;
+  auto next = lights_.begin();
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const std::size_t count = strata_[i] ? strata_[i]->strata().size() : 1;
+    if (strata_[i]) out.of.emplace_back(all_[i].light.environment, all_[i].shadow);
+    for (std::size_t k = 0; k < count && next != lights_.end(); ++k, ++next)
+      if (strata_[i]) out.lights.push_back(*next);
+  }
+  return out;
+}
+
+bool SampledLights::takeKept() {
+  if (!kept_ || kept_->of != kept().of) return false;
+  auto next = kept_->lights.begin();
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const std::ptrdiff_t count = strata_[i] ? std::ptrdiff_t(strata_[i]->strata().size()) : 0;
+    if (!strata_[i]) lights_.push_back(all_[i]);
+    lights_.insert(lights_.end(), next, next + count);
+    next += count;
+  }
+  return true;
+}
+
+/// True once one more of the lights is there.
+Result<bool> SampledLights::makeNext(const shadow::Gpu& gpu, double ms) {
+  const Planned& next = planned_[lights_.size()];
+  if (!next.made) {
+    lights_.push_back({next.light, next.shadow});
+    return true;
+  }
+  const shadow::ShadowMap& as = *next.shadow;
+  if (!pass_) pass_ = std::make_unique<shadow::ShadowPass>(as.spec, next.light, as.volumes, as.solids);
+  PILEUS_TRY(part_, pass_->step(gpu, ms));
+  gpuMs_ += pass_->takeGpuMs();
+  if (part_ < 1) return false;
+  lights_.push_back({next.light, pass_->map()});
+  pass_.reset();
+  part_ = 0;
+  return true;
+}
+
+Result<double> SampledLights::make(const shadow::Gpu& gpu, std::optional<unsigned> set, double ms) {
+  const Stopwatch clock;
+  if (!vary()) set.reset();
+  if (!set_ || *set_ != set) {
+    plan(set);
+    if (vary() && !set && takeKept()) return 1.0;
+  }
+  if (lights_.size() == planned_.size()) return 1.0;
+  while (lights_.size() < planned_.size()) {
+    PILEUS_TRY(const bool there, makeNext(gpu, std::max(ms - clock.ms(), 0.0)));
+    if (!there || clock.ms() >= ms) break;
+  }
+  ms_ += clock.ms();
+  if (lights_.size() < planned_.size())
+    return std::min((double(lights_.size()) + part_) / double(planned_.size()), 0.9999);
+  if (vary() && !set && kept_) *kept_ = kept();
+  return 1.0;
+}
+
+std::size_t SampledLights::bytes() const {
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < lights_.size(); ++i)
+    if (planned_[i].made && lights_[i].shadow) sum += lights_[i].shadow->bytes();
+  return sum;
+}
+
+}  // namespace pileus::view

@@ -1,6 +1,7 @@
 #pragma once
 // The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes
 // their shadows march through and the solids that block them. GL thread.
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -8,6 +9,7 @@
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/volume_set.h"
 #include "renderer/scene/solid.h"
+#include "renderer/shaders/shared/records.h"
 #include "renderer/shadow/shadow_map.h"
 
 namespace pileus::view {
@@ -32,6 +34,12 @@ class LightSet {
   std::span<const int> castersOf(std::size_t light) const {
     return std::span(marchItems_).subspan(std::size_t(marched_[light].x), std::size_t(marched_[light].y));
   }
+  /// World box around those of the pass.
+  const Box3& drawnBounds() const { return drawnBounds_; }
+  /// Is there a point or spot in it?
+  bool anyInside() const { return anyOf(LIGHT_INSIDE); }
+  /// Is there a sun with a disc?
+  bool anyDisc() const;
   /// The pass's own solids are the first of the solid records.
   std::size_t drawnSolids() const { return drawnSolids_; }
   /// Error (Input) if there are more lights than a dispatch can hold.
@@ -45,13 +53,18 @@ class LightSet {
                     const dvec3& origin = dvec3(0));
 
  private:
+  bool anyOf(int flag) const {
+    return std::any_of(flags_.begin(), flags_.end(), [&](int f) { return (f & flag) != 0; });
+  }
   std::vector<shadow::ShadowedLight> lights_;
   volume::InstanceList volumes_;
   std::size_t drawnVolumes_, drawnSolids_;
   std::vector<int> marchItems_;
   scene::SolidList solids_;
   std::vector<ivec2> marched_, blockers_;  ///< per light: first and count in marchItems_ and in solids_
-  std::vector<gpu::LightRecord> made_;     ///< by the last bind(); kept for its storage
+  std::vector<int> flags_;                 ///< per light: LIGHT_INSIDE, LIGHT_BEHIND_ALL
+  Box3 drawnBounds_;
+  std::vector<gpu::LightRecord> made_;  ///< by the last bind(); kept for its storage
   std::vector<gpu::SolidRecord> madeSolids_;
   std::optional<dvec3> madeFor_;  ///< the origin of those
   gl::Buffer records_{"light records"};

@@ -184,5 +184,53 @@ TEST(Compare, TheDrawnErrorIsTheMeasuredOne) {
   EXPECT_GT(darks, 5);
 }
 
+// The judge finds nothing in marched shadows, and of a wrong map what the march finds.
+TEST(Compare, TheJudgeAgreesWithTheMarch) {
+  ShadowSpec wrong;
+  wrong.extinction.basis = shadow::Basis::Fourier;
+  wrong.extinction.coefficients = 3;
+  ShadowSpec marched;
+  marched.kind = ShadowSpec::Kind::RayMarch;
+  double relMse[2];
+  for (const bool map : {false, true}) {
+    const view::RenderScene scene = sceneOf(map ? wrong : marched, {48, 27}, 16);
+    truth::ComparePass byMarch(scene), byJudge(scene, truth::TruthKind::Judge);
+    finish(byMarch);
+    finish(byJudge);
+    relMse[map] = byJudge.figures().relMse;
+    std::printf("  %s: judge %.3g, march %.3g\n", map ? "map" : "marched", byJudge.figures().relMse,
+                byMarch.figures().relMse);
+    EXPECT_EQ(byJudge.truth()->samples, truth::judgeSamples(scene));
+    if (map) {
+      EXPECT_NEAR(byJudge.figures().relMse, byMarch.figures().relMse, 0.3 * byMarch.figures().relMse);
+    }
+  }
+  EXPECT_LT(std::abs(relMse[0]), 0.1 * relMse[1]);
+}
+
+// A picture of paths is compared with other paths, as many orders as it claims: nothing is wrong with it.
+TEST(Compare, APictureOfPathsIsComparedAsOne) {
+  ShadowSpec marched;
+  marched.kind = ShadowSpec::Kind::RayMarch;
+  view::RenderScene scene = sceneOf(marched, {48, 27}, 256);
+  for (volume::Instance& i : scene.volumes) i.medium.albedo = vec3(0.95f);
+  view::RenderScene single = scene;
+  scene.bounces = -1;
+  truth::ComparePass paths(scene, truth::TruthKind::Judge);
+  finish(paths);
+  EXPECT_NE(paths.mapped()->metadata.at("pathTrace:bounces"), "0");
+  double mean = 0, all = 0;
+  const image::Image a = view::readBack(*paths.mapped()).value(), b = view::readBack(*paths.truth()).value();
+  for (std::size_t i = 0; i < a.layers[0].pixels.size(); i += 4)
+    mean += double(a.layers[0].pixels[i]), all += double(b.layers[0].pixels[i]);
+  EXPECT_NEAR(mean, all, 0.02 * all);
+  truth::ComparePass one(single, truth::TruthKind::Judge);
+  finish(one);
+  const image::Image c = view::readBack(*one.mapped()).value();
+  double once = 0;
+  for (std::size_t i = 0; i < c.layers[0].pixels.size(); i += 4) once += double(c.layers[0].pixels[i]);
+  EXPECT_LT(once, 0.9 * mean) << "a march holds one order alone";
+}
+
 }  // namespace
 }  // namespace pileus

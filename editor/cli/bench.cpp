@@ -25,6 +25,8 @@ constexpr Table kTables[] = {
     {"silhouette", "Silhouettes: a slanted box edge over another box", benchSilhouette},
     {"curve", "Defaults: errors and costs of extinction maps", benchCurve},
     {"deep", "Deep shadow maps of smoke1.vdb", benchDeep},
+    {"judge", "render.volume against the judge (four scenes, 320 x 180)", benchJudge},
+    {"judge-speed", "The judge's own speed: a cloud under sun and sky", benchJudgeSpeed},
     {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},
 };
 

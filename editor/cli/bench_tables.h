@@ -39,6 +39,11 @@ Result<void> benchCurve(const BenchSetup& setup);
 /// smoke1.vdb of the test volumes, extinction 0.5.
 Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 
+/// render.volume, marched and by maps, against single scattering by paths on the scenes of the curve.
+Result<void> benchJudge(const BenchSetup& setup);
+/// Variance times processor time of the judge's ways to reach lights.
+Result<void> benchJudgeSpeed(const BenchSetup& setup);
+
 /// Frame time and radiance difference of the map against the march.
 Result<void> benchSpeed(const BenchSetup& setup);
 

@@ -199,7 +199,7 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   program->set("firstPath", options_.firstPath);
   program->set("chances", vec2(float(options_.unshadowedShare), float(options_.mapFactor)));
   const double sky = options_.skyChoice < 0 ? environment_.contrast() : options_.skyChoice;
-  program->set("savings", vec2(float(options_.thinShare), float(sky)));
+  program->set("skyFactor", float(sky));
   program->set("pathDispatch", dispatched_++);
   program->set("pathBudget", pace_.now);
   const ivec2 from = run_.cursor.origin(), to = run_.cursor.end(), extent = to - from;

@@ -176,7 +176,6 @@ TEST(Compare, WithTheJudge) {
       120))
       << ui.trace()["notes"];
   ui.key("ctrl+q");
-  ui.click("dialog/discard");
   EXPECT_EQ(ui.waitExit(), 0) << ui.log();
 }
 

@@ -172,7 +172,7 @@ Result<void> benchJudgeSpeed(const BenchSetup& setup) {
     view::PathOptions options;
   };
   view::PathOptions plain;
-  plain.thinShare = 0, plain.skyChoice = 1;
+  plain.skyChoice = 1;
   plain.transmittance = view::ShadowEstimate::Ratio;
   std::vector<Way> ways;
   ways.push_back({"ratio tracking, lights by unshadowed power", plain});
@@ -180,13 +180,7 @@ Result<void> benchJudgeSpeed(const BenchSetup& setup) {
   ways.push_back({"ratio tracking, lights by their maps", plain});
   plain.transmittance = view::ShadowEstimate::Series;
   ways.push_back({"series, lights by their maps", plain});
-  plain.skyChoice = -1;
-  ways.push_back({"and the sky by its contrast", plain});
-  ways.push_back({"and thin pixels (default)", {}});
-  for (const double share : {0.25, 0.9}) {
-    ways.push_back({share < 0.5 ? "the same, half as eager" : "the same, twice as eager", {}});
-    ways.back().options.thinShare = share;
-  }
+  ways.push_back({"and the sky by its contrast (default)", {}});
   view::RenderScene fast = scene;
   fast.options.samples = 4;
   PILEUS_TRY(const image::Image picture, rendered(setup.renderer->gpu(), fast));

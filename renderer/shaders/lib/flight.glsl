@@ -39,11 +39,6 @@ struct Flight {
 // What a flight that looks for collisions weighs: its contribution over the density of the channel that
 // decides, and the densities of all channels over that one's (Miller, Georgiev and Jarosz 2019).
 vec3 pathWeight = vec3(1.0), pathRatio = vec3(1.0);
-// How much more often than it would a flight that looks collides, where that is seldom: its weight is the
-// less. Not once its weight has grown by what it passed, or what is dense would make it grow without end.
-float pathEager = 1.0;
-const float kMostEager = 2.0;  // that weight
-float passedShare = 0.0;       // sum of what collides on average of what comes to each tentative collision
 int pathChannel = 0;  // that decides
 
 // Where it collided, and with what.
@@ -79,11 +74,9 @@ Flight flightFrom(vec3 o, vec3 d, float end, ivec2 range, bool measures) {
 }
 
 // At a tentative collision under a bound `most` of every channel: real (true) or null, chosen by the deciding
-// channel; `eager` times as often as the densities have it.
-bool decide(vec3 sigma, float most, float eager, float u) {
+// channel.
+bool decide(vec3 sigma, float most, float u) {
   vec3 null = abs(most - sigma), real = sigma / max(sigma + null, vec3(1e-30));
-  passedShare += dot(pathMean() * real, vec3(1.0 / 3.0));
-  real = min(eager * real, mix(vec3(0.5), vec3(1.0), lessThanEqual(vec3(eager), vec3(1.0))));
 #if TINTED
   float p = real[pathChannel];
 #else
@@ -139,9 +132,6 @@ void flyPiece(inout Stretch s, inout Flight f) {
     }
   }
   vec3 u = random3();
-  // Bounds that are larger change no mean, and leave room.
-  float eager = f.measures || largest(pathWeight) > kMostEager ? 1.0 : pathEager, bound = most;
-  most *= eager > 1.0 ? 2.0 * eager : 1.0;
   float reach = f.left / max(most, 1e-30);
   bool tentative = most > 0.0 && s.at + reach < until;
   float to = tentative ? s.at + reach : min(until, s.span);
@@ -182,7 +172,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
   f.left = tentative ? exponential(u.z) : max(f.left - most * (to - s.at), 0.0);
   s.at = to;
   if (!tentative) return;
-  violations += largest(sigma) > bound * (1.0 + kAbove) ? 1 : 0;
+  violations += largest(sigma) > most * (1.0 + kAbove) ? 1 : 0;
   vec3 v = random3();
   if (f.measures) {
     f.through *= (most - sigma) / most;
@@ -190,7 +180,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
     bool ends = goes < 1.0 && v.y >= goes;
     f.through = ends ? vec3(0.0) : f.through / min(goes, 1.0);
     f.state = loudest <= 0.0 || ends ? kArrived : kFlying;
-  } else if (decide(sigma, most, eager, v.x)) {
+  } else if (decide(sigma, most, v.x)) {
     f.state = kCollided;
     metAt = pointAt(s, to), metSigma = pick.sum;
     // The chosen one's part of the extinction over the chance that it was chosen by.

@@ -37,9 +37,7 @@ uniform int firstPath;      // number of sample 0's path
 uniform int mostBounces;    // vertices that scatter behind the first; what is beyond MOST_BOUNCES is counted
 uniform ivec2 orders;       // with ORDER: of them only from .. up to
 uniform vec2 chances;       // share of the choice by unshadowed power; factor of what maps say
-// Share of samples that is to collide where few would, 0: as it comes; factor of the sky's part in the choice
-// of lights.
-uniform vec2 savings;
+uniform float skyFactor;    // of the environment's part in that choice
 const bool kSolids = SOLIDS != 0, kEnvironment = ENVIRONMENT != 0, kDiscs = DISCS != 0;
 const float kSeriesDepth = 3.0;  // a series serves up to that optical depth, by the map
 
@@ -123,7 +121,7 @@ float chooseLight(Vertex v, out int chosen, out float skyChance) {
     float p = 0.0, b = 0.0;
 #if ENVIRONMENT
     if (l < 0) {
-      p = savings.y * environmentPower / (4.0 * kPi), b = p / (4.0 * kPi);
+      p = skyFactor * environmentPower / (4.0 * kPi), b = p / (4.0 * kPi);
       ofSky = vec2(p, b);
     } else
 #endif
@@ -198,7 +196,7 @@ vec3 combDepth(ivec2 range, vec3 p, vec3 d, float end, float combs) {
 // Transmittance around the optical depth that a map says, p: exp(-tau) = exp(-p) SUM (p - tau)^k / k!, each
 // factor by a comb of its own, so that the mean is right whatever p is; ended at random.
 vec3 seriesTransmittance(ivec2 range, vec3 p, vec3 d, float end, float mapped) {
-  const float kGoesOn = 0.35;
+  const float kGoesOn = 0.12;
   float combs = 32.0 * sqrt(mapped);
   vec3 term = vec3(1.0), sum = vec3(1.0);
   int k = 1;
@@ -342,25 +340,13 @@ bool arriveNear() {
   return true;
 }
 
-// Pixels that are thin, by their samples so far, collide more often. What is seen behind them would be the
-// noisier, so only where that is nothing.
-void setEagerness(ivec2 pixel, int s) {
-  pathEager = 1.0;
-#if !SOLIDS && !BACKDROP
-  float alpha = s > 0 ? imageLoad(meanImage, pixel).a : 0.0, known = float(s);
-  alpha = clamp((known * alpha + 0.5) / (known + 1.0), 0.0, 1.0);
-  if (bounces == 0 && savings.x > 0.0) pathEager = clamp(savings.x / max(alpha, 1e-3), 1.0, 16.0);
-#endif
-}
-
 void beginSample(ivec2 pixel, int s) {
   seedPath(pixel, firstPath + s);
   vec3 u = random3();
   pathWeight = vec3(1.0), pathRatio = vec3(1.0);
   pathChannel = min(int(3.0 * u.z), 2);
   radiance = vec4(0.0);
-  bounces = 0, density = -1.0, sky = 0.0, passedShare = 0.0;
-  setEagerness(pixel, s);
+  bounces = 0, density = -1.0, sky = 0.0;
   look(eye, cameraDirection(pixel, u.xy));
   beginNear();
 }
@@ -369,7 +355,6 @@ void beginSample(ivec2 pixel, int s) {
 bool continuePath() {
   pathWeight = nextWeight, density = nextDensity;
   ++bounces;
-  pathEager = 1.0;
   if (largest(pathWeight) <= 0.0) return false;
   look(flight.o, nextDirection);
   beginNear();
@@ -409,10 +394,8 @@ bool arrive() {
   bool collided = flight.state == kCollided, solid = !collided && flight.end < kNoHit;
   bool camera = density < 0.0;
   vec3 passes = pathMean();
-  if (camera && pathEager > 1.0)
-    radiance.a = passedShare;
-  else if (camera)
-    radiance.a = collided || solid ? 1.0 : 1.0 - (passes.r + passes.g + passes.b) / 3.0;
+  if (camera && collided) radiance.a = 1.0;
+  if (camera && !collided) radiance.a = solid ? 1.0 : 1.0 - (passes.r + passes.g + passes.b) / 3.0;
   if (!collided && !solid) {
 #if ENVIRONMENT
     if (!camera) {
@@ -472,8 +455,7 @@ void load(PathState k, ivec2 pixel) {
   flight.range = volumesOf(nearWay == kToPlace ? 0 : lightOfFlight + 1);
   pathWeight = k.weight.rgb, density = k.weight.w;
   pathRatio = k.ratio.rgb, sky = k.ratio.w;
-  radiance = k.radiance, passedShare = k.radiance.a;
-  setEagerness(pixel, k.counts.x);
+  radiance = k.radiance;
   pending = k.pending.rgb;
   nextDirection = k.next.xyz, nextDensity = k.next.w;
   nextWeight = k.nextWeight.rgb;
@@ -485,7 +467,7 @@ void save(int slot, int s, bool finished) {
   k.origin = vec4(flight.o, flight.end), k.direction = vec4(flight.d, flight.left);
   k.through = vec4(flight.through, flight.place.x), k.pending = vec4(pending, flight.place.y);
   k.weight = vec4(pathWeight, density), k.ratio = vec4(pathRatio, sky);
-  k.radiance = density < 0.0 && !flight.measures ? vec4(radiance.rgb, passedShare) : radiance;
+  k.radiance = radiance;
   k.next = vec4(nextDirection, nextDensity), k.nextWeight = vec4(nextWeight, flight.at);
   k.counts = ivec4(s, int(pathDraws), bounces, keepFlags() | (finished ? kPathDone : 0));
   pathStates[slot] = k;

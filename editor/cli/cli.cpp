@@ -222,9 +222,10 @@ int run(int argc, char** argv, const EditorSide& editor) {
   shootoutCommand->add_option("--render", shootout.render,
                               "Name of the render node, where there are several.");
   bool shootoutByJudge = false;
-  shootoutCommand->add_flag("--judge", shootoutByJudge,
-                            "Compare pictures with unbiased paths of single scattering, not with marched "
-                            "shadows.");
+  shootoutCommand->add_flag(
+      "--judge", shootoutByJudge,
+      "Compare pictures with unbiased paths of as many bounces as the picture claims to "
+      "hold, not with marched shadows.");
   shootoutCommand->add_flag("--overwrite", shootout.overwrite, "Write into a folder that is not empty.");
 
   TuneArguments tune;

@@ -27,8 +27,11 @@ constexpr auto enumInfo(TruthKind*) {
 /// Paths of pictures that are compared with one that may be made of paths itself: those share no noise.
 inline constexpr int kJudgePaths = 1 << 28;
 
-/// Of such a scene: of paths as many as those had, else 0.
-inline int claimedBounces(const view::RenderScene& scene) { return scene.bounces.value_or(0); }
+/// Of such a scene: of paths as many as those had; of a march all where it has a grid of scattered light,
+/// else 0.
+inline int claimedBounces(const view::RenderScene& scene) {
+  return scene.bounces.value_or(scene.options.scatter.kind == view::Scattering::Grid ? -1 : 0);
+}
 
 /// A picture by either renderer.
 class AnyPass {

@@ -136,6 +136,7 @@ Result<void> benchJudge(const BenchSetup& setup) {
     PILEUS_TRY(const shadow::ShadowSpec spec, defaultShadow(s));
     PILEUS_CHECK(buildMaps(gpu, scene, spec));
     scene.options.size = kSize, scene.options.samples = 16;
+    scene.options.scatter = {};
     view::RenderScene paths = scene, marched = truth::truthOf(scene);
     paths.options.samples = samples;
     marched.options.stepScale = 0.5;

@@ -41,6 +41,10 @@ Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 
 /// A cloud under light from everywhere, against paths.
 Result<void> benchEnvironments(const BenchSetup& setup);
+/// render.volume, marched and by maps, against single scattering by paths on the scenes of the curve.
+Result<void> benchJudge(const BenchSetup& setup);
+/// Variance times processor time of the judge's ways to reach lights.
+Result<void> benchJudgeSpeed(const BenchSetup& setup);
 
 /// Frame time and radiance difference of the map against the march.
 Result<void> benchSpeed(const BenchSetup& setup);

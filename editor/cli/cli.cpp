@@ -221,6 +221,11 @@ int run(int argc, char** argv, const EditorSide& editor) {
       ->capture_default_str();
   shootoutCommand->add_option("--render", shootout.render,
                               "Name of the render node, where there are several.");
+  bool shootoutByJudge = false;
+  shootoutCommand->add_flag(
+      "--judge", shootoutByJudge,
+      "Compare pictures with unbiased paths of as many bounces as the picture claims to "
+      "hold, not with marched shadows.");
   shootoutCommand->add_flag("--overwrite", shootout.overwrite, "Write into a folder that is not empty.");
 
   TuneArguments tune;
@@ -314,6 +319,7 @@ int run(int argc, char** argv, const EditorSide& editor) {
       if (const std::string e = parseSize(shootoutSize, given); !e.empty()) return usageError(e);
       shootout.size = *given;
     }
+    if (shootoutByJudge) shootout.truth = truth::TruthKind::Judge;
     return shootoutMain(shootout);
   }
   if (*tuneCommand) return tuneMain(tune);

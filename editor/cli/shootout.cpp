@@ -57,7 +57,7 @@ Result<void> run(const ShootoutArguments& a) {
   PILEUS_TRY(const SceneFile file, openScene(a.file, a.render));
   PILEUS_CHECK(prepareFolder(folder, a.overwrite));
   const Stopwatch clock;
-  truth::Shootout shootout(file.scene, {a.resolution, a.size, a.samples, {.count = a.points}});
+  truth::Shootout shootout(file.scene, {a.resolution, a.size, a.samples, {.count = a.points}, a.truth});
   const shadow::Gpu gpu = file.renderer->gpu();
   MeasureProgress progress;
   for (double done = 0; done < 1;) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "renderer/base/math.h"
+#include "renderer/truth/truth_picture.h"
 
 namespace pileus::cli {
 
@@ -11,7 +12,8 @@ struct ShootoutArguments {
   std::filesystem::path file, out;  ///< out empty: FILE's name with -shootout, in the working folder
   ivec2 size{320, 180};
   int resolution = 512, samples = 4, points = 20000;
-  std::string render;  ///< node; "": the one that feeds an output
+  std::string render;                                  ///< node; "": the one that feeds an output
+  truth::TruthKind truth = truth::TruthKind::Marched;  ///< of the pictures
   bool overwrite = false;
 };
 

@@ -286,6 +286,7 @@ void startShootout(const Shown& shown, Lab& lab) {
   const vec2 size(panel.scene->options.size);
   options.size = glm::max(ivec2(glm::round(size * (320 / size.x))), ivec2(8));
   options.points.count = 8000;
+  options.truth = panel.truth;
   if (shown.renderer.device().software) options.resolution = 256;
   panel.run = std::make_unique<truth::Shootout>(*panel.scene, options);
   panel.running = true;
@@ -315,6 +316,8 @@ void drawShootout(const LabRoom& room, float right, vec2 lo, vec2 hi) {
   ShootoutPanel& panel = room.lab.shootout;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   segments(room.ui, "shootout/show", panel.show);
+  ImGui::SameLine(0, theme.space(3));
+  segments(room.ui, "shootout/truth", panel.truth);
   ImGui::SameLine(0, theme.space(4));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const RunClick click =

@@ -31,7 +31,8 @@ struct ShootoutPanel {
   std::string error;
   std::shared_ptr<const view::RenderScene> scene;  ///< what was measured
   ShootoutShow show = ShootoutShow::Defaults;
-  int column = 1;  ///< the table is sorted by
+  truth::TruthKind truth = truth::TruthKind::Marched;  ///< of the next run's pictures
+  int column = 1;                                      ///< the table is sorted by
   bool descending = false;
 
   /// The pictures of an entry on the GPU: as rendered, and its error in false colours.

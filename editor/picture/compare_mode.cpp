@@ -32,9 +32,10 @@ view::RenderScene reduced(const Shown& shown, const view::RenderScene& scene, do
 }
 
 /// What a pass costs, in samples of pixels: two pictures and the shadows' error.
-double units(const view::RenderScene& scene) {
+double units(const view::RenderScene& scene, truth::TruthKind kind) {
   const view::RenderOptions& o = scene.options;
-  return (2.0 * o.samples + 1) * o.size.x * o.size.y;
+  const double truth = kind == truth::TruthKind::Judge ? truth::judgeSamples(scene) : o.samples;
+  return (truth + o.samples + 1) * o.size.x * o.size.y;
 }
 
 void forget(CompareMode& mode) {
@@ -66,9 +67,9 @@ void toggleLayout(Messages& messages, Shown& shown, CompareLayout layout) {
   if (!mode.on) toggleCompare(messages, shown);
 }
 
-bool hasShadow(const view::RenderScene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const auto& l) { return l.shadow != nullptr; });
+bool comparable(const view::RenderScene& scene, truth::TruthKind kind) {
+  return kind == truth::TruthKind::Judge || std::any_of(scene.lights.begin(), scene.lights.end(),
+                                                        [](const auto& l) { return l.shadow != nullptr; });
 }
 
 }  // namespace
@@ -93,6 +94,8 @@ void followPicture(Shown& shown) {
   CompareMode& mode = shown.compare;
   const auto& picture = shown.preview.picture();
   if (!mode.on || !picture || !picture->scene) return forget(mode), forgetDraft(mode);
+  if (mode.kind != mode.against) forget(mode), forgetDraft(mode);
+  mode.kind = mode.against;
   if (picture->scene == mode.scene) return;
   if (shown.preview.draft()) {
     // A draft has maps of its own, which say nothing about the final ones; but its truth is the same.
@@ -100,8 +103,9 @@ void followPicture(Shown& shown) {
     forget(mode);
     mode.draftScene = picture->scene;
     mode.draft.reset();
-    if (hasShadow(*picture->scene))
-      mode.draft = std::make_unique<truth::ComparePass>(reduced(shown, *picture->scene, kDraftPixels));
+    if (comparable(*picture->scene, mode.kind))
+      mode.draft =
+          std::make_unique<truth::ComparePass>(reduced(shown, *picture->scene, kDraftPixels), mode.kind);
     return;
   }
   // What comes behind its draft keeps that one's truth until it has one itself.
@@ -109,14 +113,14 @@ void followPicture(Shown& shown) {
   forget(mode);
   mode.scene = picture->scene;
   if (!behindDraft) forgetDraft(mode);
-  if (!hasShadow(*mode.scene)) {
+  if (!comparable(*mode.scene, mode.kind)) {
     mode.error = "No light of this picture has a shadow to compare.";
     return;
   }
-  mode.coarse = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kCoarsePixels));
+  mode.coarse = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kCoarsePixels), mode.kind);
   if (mode.draft) return;
   mode.draftScene = mode.scene;
-  mode.draft = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kDraftPixels));
+  mode.draft = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kDraftPixels), mode.kind);
 }
 
 namespace {
@@ -150,7 +154,7 @@ bool compareWantsFrame(const Shown& shown) {
 void stepCompare(Messages& messages, Shown& shown, double ms) {
   CompareMode& mode = shown.compare;
   if (!compareWantsFrame(shown)) return;
-  if (fineIsDue(shown)) mode.fine = std::make_unique<truth::ComparePass>(*mode.scene);
+  if (fineIsDue(shown)) mode.fine = std::make_unique<truth::ComparePass>(*mode.scene, mode.kind);
   truth::ComparePass& pass = *passToStep(shown);
   const Stopwatch clock;
   const double before = pass.fraction();
@@ -161,7 +165,7 @@ void stepCompare(Messages& messages, Shown& shown, double ms) {
   }
   if (&pass != mode.draft.get()) {
     mode.workedMs += clock.ms();
-    mode.workedUnits += (pass.fraction() - before) * units(pass.scene());
+    mode.workedUnits += (pass.fraction() - before) * units(pass.scene(), mode.kind);
   }
   if (mode.autoScale)
     if (const truth::ComparePass* m = mode.measured())
@@ -170,20 +174,23 @@ void stepCompare(Messages& messages, Shown& shown, double ms) {
 
 double compareFraction(const CompareMode& mode) {
   if (!mode.coarse) return 0;
-  const double small = units(mode.coarse->scene()), large = units(*mode.scene);
+  const double small = units(mode.coarse->scene(), mode.kind), large = units(*mode.scene, mode.kind);
   return (small * mode.coarse->fraction() + large * (mode.fine ? mode.fine->fraction() : 0)) /
          (small + large);
 }
 
 double compareSecondsLeft(const CompareMode& mode) {
   if (!mode.coarse || mode.workedUnits <= 0) return -1;
-  const double all = units(mode.coarse->scene()) + units(*mode.scene);
+  const double all = units(mode.coarse->scene(), mode.kind) + units(*mode.scene, mode.kind);
   return 1e-3 * mode.workedMs / mode.workedUnits * (1 - compareFraction(mode)) * all;
 }
 
 void toggleCompare(Messages& messages, Shown& shown) {
   shown.compare.on = !shown.compare.on;
-  messages.note(shown.compare.on ? "Comparing with marched shadows" : "Comparison ended");
+  const bool judge = shown.compare.against == truth::TruthKind::Judge;
+  messages.note(!shown.compare.on ? "Comparison ended"
+                : judge           ? "Comparing with unbiased paths"
+                                  : "Comparing with marched shadows");
 }
 
 void toggleWipe(Messages& messages, Shown& shown) { toggleLayout(messages, shown, CompareLayout::Wipe); }

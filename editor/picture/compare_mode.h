@@ -1,7 +1,7 @@
 #pragma once
 // The viewport's compare mode: the picture with the graph's shadows against the same picture with marched
-// ones. The truth is first made as a draft of few pixels, of drafts of the picture too, then small, then at
-// the picture's own size, while nothing else is to be done. GL thread.
+// ones, or against unbiased paths. The truth is first made as a draft of few pixels, of drafts of the picture
+// too, then small, then at the picture's own size, while nothing else is to be done. GL thread.
 #include <array>
 #include <memory>
 #include <string>
@@ -39,6 +39,7 @@ struct CompareMode {
   bool on = false;
   CompareLayout layout = CompareLayout::Wipe;
   CompareOf of = CompareOf::Radiance;
+  truth::TruthKind against = truth::TruthKind::Marched;  ///< of radiance
   bool worst = false;  ///< Error of Shadow: the largest along a ray, not the mean
   double wipe = 0.5;   ///< of the picture's width
   bool draggingWipe = false;
@@ -47,6 +48,7 @@ struct CompareMode {
   bool autoScale = true;
 
   std::shared_ptr<const view::RenderScene> scene;  ///< what the passes below compare; null: only a draft yet
+  truth::TruthKind kind = truth::TruthKind::Marched;  ///< of their truths
   std::unique_ptr<truth::ComparePass> coarse, fine;
   std::shared_ptr<const view::RenderScene> draftScene;  ///< of the draft, perhaps with the maps of drafts
   std::unique_ptr<truth::ComparePass> draft;

@@ -74,6 +74,10 @@ void drawCompareBar(Ui& ui, Shown& shown, ImVec2 min, ImVec2 max) {
   segments(ui, "compare", mode.layout);
   ImGui::SameLine(0, theme.space(3));
   segments(ui, "compare/of", mode.of);
+  if (mode.of == CompareOf::Radiance) {
+    ImGui::SameLine(0, theme.space(3));
+    segments(ui, "compare/against", mode.against);
+  }
   if (mode.layout == CompareLayout::Error) {
     ImGui::SameLine(0, theme.space(4));
     chooseScale(ui, shown);

@@ -66,13 +66,14 @@ std::string pictureLabel(const CompareMode& mode) {
 
 std::string truthLabel(const CompareMode& mode) {
   const truth::ComparePass* pass = mode.shownTruth();
-  if (!pass) return "Ray marched, soon";
-  if (pass == mode.draft.get()) return "Ray marched, draft";
-  if (pass == mode.coarse.get()) return "Ray marched, small";
-  const int done = pass->truth()->samples, all = pass->scene().options.samples;
-  return mode.of == CompareOf::Radiance && done < all
-             ? fmt::format("Ray marched, {} of {} samples", done, all)
-             : "Ray marched";
+  const bool judge = mode.of == CompareOf::Radiance && mode.against == truth::TruthKind::Judge;
+  const std::string name = judge ? "Judge" : "Ray marched";
+  if (!pass) return name + ", soon";
+  if (pass == mode.draft.get()) return name + ", draft";
+  if (pass == mode.coarse.get()) return name + ", small";
+  const int done = pass->truth()->samples, all = pass->truthSamples();
+  return mode.of == CompareOf::Radiance && done < all ? fmt::format("{}, {} of {} samples", name, done, all)
+                                                      : name;
 }
 
 void label(Ui& ui, vec2 lo, vec2 hi, const std::string& text, bool right, const char* trace) {
@@ -255,7 +256,8 @@ void drawCompareFigures(Ui& ui, const Shown& shown, vec2 lo, vec2 hi) {
   const auto radiance = [&] {
     figures("Radiance", f.radiance, true);
     from.x -= theme.space(4);
-    put("relMSE", palette::kTextFaint, theme.px(5));
+    put(pass->kind() == truth::TruthKind::Judge ? "scaled relMSE" : "relMSE", palette::kTextFaint,
+        theme.px(5));
     put(figure(f.relMse), palette::kText, theme.space(6));
   };
   // What is looked at comes first: the strip may be too short for both.

@@ -69,6 +69,7 @@ std::vector<Light> splitDisc(const Light& sun, int count) {
     // Evenly over the disc as seen from below it: equal shares of its area.
     const double r = edge * std::sqrt((i + 0.5) / count), a = golden * i;
     Light part = sun;
+    part.disc = axis;
     part.towards = glm::normalize(axis * std::sqrt(1 - r * r) + r * (std::cos(a) * right + std::sin(a) * up));
     part.emitted = sun.emitted / float(count);
     out.push_back(part);

@@ -22,6 +22,7 @@ struct Light {
   vec3 emitted{10.0f};     ///< Sun: irradiance at normal incidence [W/m^2] x colour; Point, Spot: radiant
                            ///< intensity [W/sr] x colour
   double angle = 0;        ///< Sun: diameter of the disc, degrees; what a soft sun was split from
+  dvec3 disc{0};           ///< Sun: the middle of that disc, unit vector; 0: it was not split
   dvec3 position{0};       ///< Point, Spot: metres
   double radius = 0;       ///< Point, Spot: metres; within it irradiance stays I / radius^2; 0: a point
   double cone = 60;        ///< Spot: full angle of the cone, degrees, below 180

@@ -54,7 +54,7 @@ void describeLight(const scene::Light& light, const dvec3& origin, gpu::LightRec
   const bool sun = light.kind == scene::LightKind::Sun;
   const double outer = glm::radians(light.cone) / 2;
   r.towards = vec4(vec3(glm::normalize(light.towards)), float(sun ? light.narrow : std::cos(outer)));
-  r.emitted = vec4(light.emitted, float(light.radius));
+  r.emitted = vec4(light.emitted, float(sun ? std::sin(glm::radians(light.angle) / 2) : light.radius));
   r.position = vec4(vec3(light.position - origin), float(std::cos(outer * (1 - light.softness))));
   r.items.w = sun ? LIGHT_SUN : light.kind == scene::LightKind::Point ? LIGHT_POINT : LIGHT_SPOT;
 }

@@ -17,8 +17,12 @@ view::RenderScene truthOf(const view::RenderScene& scene, double stepScale) {
   return out;
 }
 
-ComparePass::ComparePass(const view::RenderScene& scene)
-    : scene_(scene), mapped_(scene), truth_(truthOf(scene)), error_(scene, truthOf(scene)) {}
+ComparePass::ComparePass(const view::RenderScene& scene, TruthKind kind)
+    : scene_(scene),
+      kind_(kind),
+      mapped_(scene),
+      truth_(truthPicture(scene, kind)),
+      error_(scene, truthOf(scene)) {}
 
 Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
   const Stopwatch clock;
@@ -43,7 +47,9 @@ Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
         PILEUS_TRY(truthFraction_, truth_.step(gpu, 0));
       }
       pictureFraction_ = std::min(mappedFraction_, truthFraction_);
-      const bool even = mapped() && truth() && mapped()->fraction == truth()->fraction;
+      const bool even = kind_ == TruthKind::Judge
+                            ? pictureWhole()
+                            : mapped() && truth() && mapped()->fraction == truth()->fraction;
       if (even && truth()->samples != figures_.pictureSamples) PILEUS_CHECK(measureRadiance());
     }
     const double errorShare = 1.0 / (1.0 + scene_.options.samples);
@@ -77,6 +83,10 @@ Result<void> ComparePass::measureRadiance() {
   }
   figures_.radiance = figures;
   figures_.relMse = difference.relMse;
+  if (kind_ == TruthKind::Judge && truth_.paths()) {
+    PILEUS_TRY(const std::optional<double> scaled, judged(a, *truth_.paths()));
+    figures_.relMse = scaled.value_or(0);
+  }
   figures_.pictureSamples = truth()->samples;
   return {};
 }

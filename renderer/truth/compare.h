@@ -1,12 +1,13 @@
 #pragma once
-// A picture's own shadows against the truth: the same scene and camera with every shadow marched. Both
-// pictures are made region by region in step, so that their noise is the same and their difference is the
-// shadows' alone, and beside them the error of the shadows themselves along the camera rays. GL thread.
+// A picture against the truth: the same scene and camera with every shadow marched, or by unbiased paths.
+// Both pictures are made region by region in step, so that in a march their noise is the same and their
+// difference is the shadows' alone, and beside them the error of the shadows themselves along the camera
+// rays, which are always compared with marched ones. GL thread.
 #include <array>
 #include <memory>
 
 #include "renderer/truth/shadow_error.h"
-#include "renderer/view/volume_render.h"
+#include "renderer/truth/truth_picture.h"
 
 namespace pileus::truth {
 
@@ -22,7 +23,7 @@ struct CompareFigures {
          dark = 0;         ///< means of max(dT, 0) and max(-dT, 0) weighted by how much of a sample is seen
   double samples = 0;      ///< those the shadow's figures stand on
   ErrorFigures radiance;   ///< |dL|, mean of RGB, over the pixels where the truth covers something
-  double relMse = 0;       ///< of radiance, as image::compare has it
+  double relMse = 0;       ///< of radiance, as image::compare has it; against the judge scaled relMSE
   int pictureSamples = 0;  ///< finished samples a pixel the radiance figures stand on
 };
 
@@ -31,7 +32,7 @@ view::RenderScene truthOf(const view::RenderScene& scene, double stepScale = 0.5
 
 class ComparePass {
  public:
-  explicit ComparePass(const view::RenderScene& scene);
+  explicit ComparePass(const view::RenderScene& scene, TruthKind kind = TruthKind::Marched);
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   double fraction() const { return fraction_; }
@@ -44,11 +45,15 @@ class ComparePass {
   const ShadowErrorPass& shadowError() const { return error_; }
   const CompareFigures& figures() const { return figures_; }
   const view::RenderScene& scene() const { return scene_; }
+  TruthKind kind() const { return kind_; }
+  /// Samples that the truth has in the end.
+  int truthSamples() const { return truth_.picture() ? truth_.picture()->scene->options.samples : 0; }
 
  private:
   Result<void> measureRadiance();
   view::RenderScene scene_;
-  view::VolumeRenderPass mapped_, truth_;
+  TruthKind kind_;
+  AnyPass mapped_, truth_;
   ShadowErrorPass error_;
   CompareFigures figures_;
   double mappedFraction_ = 0, truthFraction_ = 0, pictureFraction_ = 0, fraction_ = 0;

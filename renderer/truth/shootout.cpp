@@ -103,7 +103,8 @@ struct Shootout::Impl {
   std::unique_ptr<shadow::ShadowPass> fit;  ///< looks for the resolution that meets the bytes
   int fitResolution = 0, fits = 0;
   std::unique_ptr<MeasurePass> measuring;
-  std::unique_ptr<view::VolumeRenderPass> rendering;
+  std::unique_ptr<AnyPass> rendering;
+  std::unique_ptr<AnyPass> judge;  ///< kept for its halves
 
   const Task& task() const { return tasks[entries.size()]; }
   const Caster& caster() const { return casters[entry.lights.size()]; }
@@ -172,12 +173,19 @@ struct Shootout::Impl {
       picture.options.size = options.size;
       picture.options.samples = options.samples;
       picture.lights = shadowed;
-      rendering = std::make_unique<view::VolumeRenderPass>(std::move(picture));
+      // Other pictures of paths than the truth are of no use here: no shadow changes them.
+      picture.bounces.reset();
+      const bool paths = entries.empty() && options.truth == TruthKind::Judge;
+      rendering =
+          std::make_unique<AnyPass>(paths ? truthPicture(picture, TruthKind::Judge) : AnyPass(picture));
     }
     PILEUS_TRY(const double done, rendering->step(gpu, ms));
     if (done < 1) return {};
     PILEUS_TRY(entry.picture, view::readBack(*rendering->picture()));
-    if (!entries.empty()) {
+    if (judge) {
+      PILEUS_TRY(const std::optional<double> scaled, judged(entry.picture, *judge->paths()));
+      entry.relMse = scaled.value_or(0);
+    } else if (!entries.empty()) {
       PILEUS_TRY(const image::Difference d, image::compare(entry.picture, entries.front().picture));
       entry.relMse = d.relMse;
     }
@@ -186,6 +194,7 @@ struct Shootout::Impl {
     entries.push_back(std::move(entry));
     entry = {};
     shadowed.clear();
+    if (rendering->paths()) judge = std::move(rendering);
     rendering.reset();
     return {};
   }
@@ -204,7 +213,8 @@ Shootout::Shootout(view::RenderScene scene, const ShootoutOptions& options)
   impl_->casters = casters(impl_->scene);
   ShadowSpec march;
   march.kind = ShadowSpec::Kind::RayMarch;
-  impl_->tasks.push_back({ShootoutGroup::Truth, {"Ray march", march}});
+  const bool judge = options.truth == TruthKind::Judge;
+  impl_->tasks.push_back({ShootoutGroup::Truth, {judge ? "Judge" : "Ray march", march}});
   impl_->contenders = shootoutContenders().size();
   for (const ShootoutGroup group : {ShootoutGroup::Defaults, ShootoutGroup::EqualMemory})
     for (Contender& c : shootoutContenders()) impl_->tasks.push_back({group, std::move(c)});

@@ -5,6 +5,7 @@
 
 #include "renderer/image/image.h"
 #include "renderer/truth/shadow_measure.h"
+#include "renderer/truth/truth_picture.h"
 
 namespace pileus::truth {
 
@@ -12,7 +13,8 @@ enum class ShootoutGroup { Truth, Defaults, EqualMemory };
 constexpr auto enumInfo(ShootoutGroup*) {
   using G = ShootoutGroup;
   return std::array{
-      EnumItem<G>{G::Truth, "truth", "Truth", "The converged ray march all pictures are compared with."},
+      EnumItem<G>{G::Truth, "truth", "Truth",
+                  "What all pictures are compared with: a converged ray march, or the judge."},
       EnumItem<G>{
           G::Defaults, "defaults", "Defaults",
           "Each representation with its usual parameters, in half floats, all at the same resolution."},
@@ -29,10 +31,11 @@ struct Contender {
 std::vector<Contender> shootoutContenders();
 
 struct ShootoutOptions {
-  int resolution = 512;  ///< texels along an edge; of the 32-byte map where memory is equal
-  ivec2 size{320, 180};  ///< of the pictures
-  int samples = 4;       ///< a pixel
-  SampleOptions points;  ///< a light
+  int resolution = 512;                  ///< texels along an edge; of the 32-byte map where memory is equal
+  ivec2 size{320, 180};                  ///< of the pictures
+  int samples = 4;                       ///< a pixel
+  SampleOptions points;                  ///< a light
+  TruthKind truth = TruthKind::Marched;  ///< of the pictures; shadows are always measured against a march
 };
 
 struct ShootoutEntry {
@@ -40,7 +43,7 @@ struct ShootoutEntry {
   std::string name;
   std::vector<ShadowMeasure> lights;  ///< in the scene's order
   image::Image picture;               ///< all lights with this representation
-  double relMse = 0;                  ///< of the picture against the truth's
+  double relMse = 0;                  ///< of the picture against the truth's; the judge's: scaled
 
   const ShadowMeasure& worst() const;  ///< of the light with the largest mean error
   double buildMs() const;              ///< of all lights

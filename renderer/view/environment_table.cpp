@@ -1,5 +1,7 @@
 #include "renderer/view/environment_table.h"
 
+#include <algorithm>
+
 #include "renderer/scene/acescg.h"
 #include "renderer/scene/environment_sampler.h"
 #include "renderer/shaders/shared/path.h"
@@ -30,6 +32,13 @@ Result<void> EnvironmentTable::make(const scene::Environment& environment) {
   const scene::EnvironmentMap& map = *environment.map;
   size_ = map.size, turn_ = environment.rotation;
   power_ = scene::acescgLuminance(scene::environmentFlux(map) * dvec3(environment.scale));
+  double squares = 0;
+  for (int y = 0; y < size_.y; ++y)
+    for (int x = 0; x < size_.x; ++x) {
+      const double l = scene::acescgLuminance(dvec3(environment.scale * map.at(x, y)));
+      squares += l * l * scene::texelSolidAngle(size_, y);
+    }
+  contrast_ = squares > 0 ? std::clamp(1 - power_ * power_ / (4 * kPi * squares), 0.0, 1.0) : 0;
   const std::vector<vec4> texels = environmentTexels(map, environment.scale);
   return texels_.assign(std::span<const vec4>(texels));
 }

@@ -14,11 +14,14 @@ class EnvironmentTable {
   /// To its binding point, with the uniforms of lib/environment.glsl.
   void bind(gl::Program& program) const;
   bool empty() const { return size_.x == 0; }
+  /// Of its luminance over directions: 0 where it is the same from everywhere, so that any direction serves,
+  /// towards 1 the smaller the part of them is that its light comes from.
+  double contrast() const { return contrast_; }
 
  private:
   gl::Buffer texels_{"environment"};
   ivec2 size_{0};
-  double turn_ = 0, power_ = 0;
+  double turn_ = 0, power_ = 0, contrast_ = 0;
 };
 
 /// Twin of lib/backdrop.glsl: the map as it is, filtered.

@@ -67,6 +67,28 @@ LightSet::LightSet(std::vector<shadow::ShadowedLight> lights, const volume::Inst
     }
     air_.push_back(first);
   }
+  const volume::InstanceList drawn(volumes_.begin(), volumes_.begin() + std::ptrdiff_t(drawnVolumes_));
+  drawnBounds_ = volume::worldBounds(drawn);
+  std::vector<int> media;  // that cast shadows, if something does
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    if (!drawn[i].emission) media.push_back(int(i));
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const std::span<const int> cast = castersOf(i);
+    std::vector<int> sorted(cast.begin(), cast.end());
+    std::sort(sorted.begin(), sorted.end());
+    const scene::Light& l = lights_[i].light;
+    const bool all = sorted == media && blockers_[i] == ivec2(0, int(drawnSolids_));
+    const bool inside = l.kind != scene::LightKind::Sun && !drawnBounds_.empty() &&
+                        glm::all(glm::greaterThanEqual(l.position, drawnBounds_.min)) &&
+                        glm::all(glm::lessThanEqual(l.position, drawnBounds_.max));
+    flags_.push_back((all ? LIGHT_BEHIND_ALL : 0) | (inside ? LIGHT_INSIDE : 0));
+  }
+}
+
+bool LightSet::anyDisc() const {
+  return std::any_of(lights_.begin(), lights_.end(), [](const auto& l) {
+    return l.light.kind == scene::LightKind::Sun && l.light.angle > 0;
+  });
 }
 
 gl::Defines LightSet::defines() const {
@@ -95,6 +117,7 @@ Result<void> LightSet::bind(const shadow::ShadowStore& store, residency::SceneTa
     if (shadow && shadow->kind == shadow::ShadowMap::Kind::RayMarch)
       r.items.y = marched_[i].x, r.items.z = marched_[i].y;
     r.solids.x = blockers_[i].x, r.solids.y = blockers_[i].y, r.solids.w = air_[i];
+    r.solids.z |= flags_[i];
     if (air_[i] > 0) r.position.y = float(lights_[i].light.air->altitude + origin.y);
   }
   if (records.empty()) records.push_back(shadow::makeRecord(kNoLight, nullptr));

@@ -1,6 +1,7 @@
 #pragma once
 // The lights of one pass and all that lib/light_transmittance.glsl reads for them: their records, the volumes
 // their shadows march through and the solids that block them. GL thread.
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "renderer/gl/shader_library.h"
 #include "renderer/residency/volume_set.h"
 #include "renderer/scene/solid.h"
+#include "renderer/shaders/shared/records.h"
 #include "renderer/shadow/shadow_map.h"
 
 namespace pileus::view {
@@ -33,6 +35,12 @@ class LightSet {
   std::span<const int> castersOf(std::size_t light) const {
     return std::span(marchItems_).subspan(std::size_t(marched_[light].x), std::size_t(marched_[light].y));
   }
+  /// World box around those of the pass.
+  const Box3& drawnBounds() const { return drawnBounds_; }
+  /// Is there a point or spot in it?
+  bool anyInside() const { return anyOf(LIGHT_INSIDE); }
+  /// Is there a sun with a disc?
+  bool anyDisc() const;
   /// The pass's own solids are the first of the solid records.
   std::size_t drawnSolids() const { return drawnSolids_; }
   /// Those that defines() and bind() are about, for who takes them in parts: all of them at first. A pass
@@ -50,6 +58,9 @@ class LightSet {
                     const dvec3& origin = dvec3(0));
 
  private:
+  bool anyOf(int flag) const {
+    return std::any_of(flags_.begin(), flags_.end(), [&](int f) { return (f & flag) != 0; });
+  }
   std::vector<shadow::ShadowedLight> lights_;
   volume::InstanceList volumes_;
   std::size_t drawnVolumes_, drawnSolids_;
@@ -59,6 +70,8 @@ class LightSet {
   std::vector<int> air_;                   ///< per light: 1 + its first texel in airTexels_, or 0
   std::vector<vec4> airTexels_;
   std::pair<std::size_t, std::size_t> selected_;
+  std::vector<int> flags_;  ///< per light: LIGHT_INSIDE, LIGHT_BEHIND_ALL
+  Box3 drawnBounds_;
   std::vector<gpu::LightRecord> made_;  ///< by the last bind(); kept for its storage
   std::vector<gpu::SolidRecord> madeSolids_;
   std::optional<dvec3> madeFor_;  ///< the origin of those

@@ -22,12 +22,30 @@ constexpr int kRound = 8;
 constexpr int kWork = 3500;
 constexpr int kHead = 16;  ///< bytes of the counters in front of the states
 
+/// The parts of a soft sun are one again, of which paths choose directions: behind the first one's map, which
+/// is next to the middle.
+void joinDiscs(std::vector<shadow::ShadowedLight>& lights) {
+  std::vector<shadow::ShadowedLight> out;
+  for (shadow::ShadowedLight& l : lights) {
+    const bool part = l.light.kind == scene::LightKind::Sun && l.light.angle > 0 && l.light.disc != dvec3(0);
+    if (part) l.light.towards = l.light.disc;
+    const bool more = part && !out.empty() && out.back().light.disc == l.light.disc &&
+                      out.back().light.angle == l.light.angle;
+    if (more)
+      out.back().light.emitted += l.light.emitted;
+    else
+      out.push_back(std::move(l));
+  }
+  lights = std::move(out);
+}
+
 /// A light without a shadow of its own gets that of what is drawn: light does not go through a cloud because
 /// nobody asked for a map. Environments are traced.
 std::vector<shadow::ShadowedLight> shadowed(const RenderScene& scene) {
   std::vector<shadow::ShadowedLight> out = layerLights(scene);
   std::erase_if(out,
                 [](const shadow::ShadowedLight& l) { return l.light.kind == scene::LightKind::Environment; });
+  joinDiscs(out);
   for (shadow::ShadowedLight& l : out)
     if (!l.shadow) l.shadow = shadow::marchedShadow(l.light, scene.volumes, scene.solids);
   return out;
@@ -41,6 +59,11 @@ void conclude(const dvec3& sums, PathStatistics& out) {
   out.standardError = n > 1 ? std::sqrt(sums.y / sums.z / (n * (n - 1))) : 0;
 }
 
+std::shared_ptr<const RenderScene> traced(RenderScene scene, int bounces) {
+  scene.bounces = bounces;
+  return std::make_shared<const RenderScene>(std::move(scene));
+}
+
 bool tinted(const volume::InstanceList& volumes) {
   return std::any_of(volumes.begin(), volumes.end(), [](const volume::Instance& i) {
     const vec3& c = i.medium.extinctionColor;
@@ -51,7 +74,7 @@ bool tinted(const volume::InstanceList& volumes) {
 }  // namespace
 
 PathTracePass::PathTracePass(RenderScene scene, const PathOptions& options)
-    : scene_(std::make_shared<const RenderScene>(std::move(scene))),
+    : scene_(traced(std::move(scene), options.bounces)),
       options_(options),
       lights_(shadowed(*scene_), scene_->volumes, scene_->solids,
               scene_->options.layer.kind != PictureLayer::Kind::Depth, LightSet::Casters::All) {
@@ -155,7 +178,7 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
   gl::Defines defines = lights_.defines();
   const auto add = [&](const gl::Defines& more) { defines.insert(defines.end(), more.begin(), more.end()); };
-  const bool environment = !environment_.empty();
+  const bool environment = !environment_.empty(), along = options_.alongRays && lights_.anyInside();
   add(run_.defines());
   add({{"SOLIDS", lights_.drawnSolids() > 0},
        {"ENVIRONMENT", environment},
@@ -164,6 +187,8 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
        {"EMISSION", emission_},
        {"TRANSMITTANCE",
         options_.transmittance == ShadowEstimate::Series ? TRANSMITTANCE_SERIES : TRANSMITTANCE_RATIO},
+       {"DISCS", lights_.anyDisc()},
+       {"ALONG", along},
        {"ORDER", options_.orders.x > 0 || options_.orders.y < (1 << 30)}});
   PILEUS_TRY(gl::Program * program, gpu.shaders.program({"view/path_trace.comp.glsl"}, defines));
   PILEUS_CHECK(run_.bind(gpu.bricks, *program));
@@ -171,6 +196,10 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   majorants_.bind();
   if (environment) environment_.bind(*program);
   if (!backdrop_.empty()) backdrop_.bind(*program);
+  if (along) {
+    program->set("mediaMin", vec3(lights_.drawnBounds().min - run_.origin()));
+    program->set("mediaMax", vec3(lights_.drawnBounds().max - run_.origin()));
+  }
   program->set("lightCount", int(lights_.lights().size()));
   program->set("solidCount", int(lights_.drawnSolids()));
   program->set("sampleRange", ivec2(picture_->samples, roundEnd()));
@@ -178,6 +207,8 @@ Result<bool> PathTracePass::dispatch(const shadow::Gpu& gpu) {
   program->set("orders", options_.orders);
   program->set("firstPath", options_.firstPath);
   program->set("chances", vec2(float(options_.unshadowedShare), float(options_.mapFactor)));
+  const double sky = options_.skyChoice < 0 ? environment_.contrast() : options_.skyChoice;
+  program->set("skyFactor", float(sky));
   program->set("pathDispatch", dispatched_++);
   program->set("pathBudget", pace_.now);
   const ivec2 from = run_.cursor.origin(), to = run_.cursor.end(), extent = to - from;

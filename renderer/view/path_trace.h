@@ -40,7 +40,9 @@ struct PathOptions {
   int firstPath = 0;  ///< number of the first sample's path: pictures whose paths differ are independent
   // For tests: what must not change a mean.
   double majorantScale = 1;
-  double mapFactor = -1;         ///< instead of what maps say in the choice of lights; < 0: what they say
+  double skyChoice = -1;  ///< factor of the environment's part in the choice of lights; < 0: its contrast
+  bool alongRays = true;  ///< places are also chosen by how near they are to points and spots in the media
+  double mapFactor = -1;  ///< instead of what maps say in the choice of lights; < 0: what they say
   double unshadowedShare = 0.2;  ///< of that choice by power alone
   int workPerDispatch = 0;       ///< > 0: fixed
 };

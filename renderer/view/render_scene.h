@@ -3,6 +3,7 @@
 // by other means.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "renderer/base/enum_info.h"
 #include "renderer/scene/camera.h"
@@ -53,6 +54,8 @@ struct RenderScene {
   volume::InstanceList volumes;               ///< drawn; those that cast shadows are each shadow's own
   std::vector<shadow::ShadowedLight> lights;  ///< a light is blocked by the solids of its shadow
   scene::SolidList solids;                    ///< drawn
+  /// Of a picture of paths: how often they scatter behind the first time, -1: without limit; null: a march.
+  std::optional<int> bounces = {};
 };
 
 /// Does any of its volumes emit?

@@ -184,5 +184,50 @@ TEST(Compare, TheDrawnErrorIsTheMeasuredOne) {
   EXPECT_GT(darks, 5);
 }
 
+// The judge finds nothing in marched shadows, and what the march finds in a map that is another light's.
+TEST(Compare, TheJudgeAgreesWithTheMarch) {
+  ShadowSpec marched, map;
+  marched.kind = ShadowSpec::Kind::RayMarch;
+  double byMarch[2], byJudge[2];
+  for (const bool wrong : {false, true}) {
+    view::RenderScene scene = sceneOf(wrong ? map : marched, {32, 18}, 16);
+    if (wrong) scene.lights[0].light.towards = glm::normalize(dvec3(-0.9, 0.4, -0.3));
+    truth::ComparePass march(scene), judge(scene, truth::TruthKind::Judge);
+    finish(march);
+    finish(judge);
+    byMarch[wrong] = march.figures().relMse, byJudge[wrong] = judge.figures().relMse;
+    std::printf("  %s: judge %.3g, march %.3g\n", wrong ? "another light's map" : "marched", byJudge[wrong],
+                byMarch[wrong]);
+    EXPECT_EQ(judge.truth()->samples, truth::judgeSamples(scene));
+  }
+  EXPECT_EQ(byMarch[0], 0);
+  EXPECT_LT(std::abs(byJudge[0]), 0.1 * byJudge[1]);
+  EXPECT_GT(byJudge[1], 0.3 * byMarch[1]);  // measures that weigh dark pixels differently
+}
+
+// A picture of paths is compared with other paths, as many orders as it claims: nothing is wrong with it.
+TEST(Compare, APictureOfPathsIsComparedAsOne) {
+  ShadowSpec marched;
+  marched.kind = ShadowSpec::Kind::RayMarch;
+  view::RenderScene scene = sceneOf(marched, {48, 27}, 256);
+  for (volume::Instance& i : scene.volumes) i.medium.albedo = vec3(0.95f);
+  view::RenderScene single = scene;
+  scene.bounces = -1;
+  truth::ComparePass paths(scene, truth::TruthKind::Judge);
+  finish(paths);
+  EXPECT_NE(paths.mapped()->metadata.at("pathTrace:bounces"), "0");
+  double mean = 0, all = 0;
+  const image::Image a = view::readBack(*paths.mapped()).value(), b = view::readBack(*paths.truth()).value();
+  for (std::size_t i = 0; i < a.layers[0].pixels.size(); i += 4)
+    mean += double(a.layers[0].pixels[i]), all += double(b.layers[0].pixels[i]);
+  EXPECT_NEAR(mean, all, 0.02 * all);
+  truth::ComparePass one(single, truth::TruthKind::Judge);
+  finish(one);
+  const image::Image c = view::readBack(*one.mapped()).value();
+  double once = 0;
+  for (std::size_t i = 0; i < c.layers[0].pixels.size(); i += 4) once += double(c.layers[0].pixels[i]);
+  EXPECT_LT(once, 0.9 * mean) << "a march holds one order alone";
+}
+
 }  // namespace
 }  // namespace pileus

@@ -144,6 +144,41 @@ TEST(Compare, ADraftOfTheTruthComesWhileTheFinalPictureIsAtWork) {
   ui.screenshot("27-truth-while-refining");
 }
 
+// The other truth: paths. It is chosen in the bar, begins anew, and finds the wrong map as well.
+TEST(Compare, WithTheJudge) {
+  UiSession ui({1280, 720}, {graphFile().string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["complete"] == true; }, 60)) << ui.log();
+  ui.move(ui.center("viewport"));
+  ui.key("Tab");
+  ASSERT_TRUE(ui.waitRect("compare/against/judge"));
+  ui.click("compare/against/judge");
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["notes"].value("compare right", "").starts_with("Judge"); }, 20))
+      << ui.trace()["notes"];
+  ASSERT_TRUE(ui.waitFor(truthComplete, 200)) << ui.trace()["notes"];
+  EXPECT_EQ(ui.trace()["notes"]["compare right"], "Judge");
+  EXPECT_GT(number(ui.trace(), "compare relmse"), 1e-5);
+  EXPECT_GT(number(ui.trace(), "compare shadow mean"), 0.01);
+  ui.screenshot("26-judge");
+  // Shadows are always compared with marched ones.
+  ui.click("compare/of/shadow");
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    return t["notes"].value("compare right", "") == "Ray marched" &&
+           !t["rects"].contains("compare/against/judge");
+  }));
+  ui.click("compare/of/radiance");
+  ui.click("compare/against/marched");
+  EXPECT_TRUE(ui.waitFor(
+      [](const json& t) {
+        return truthComplete(t) && t["notes"].value("compare right", "") == "Ray marched";
+      },
+      120))
+      << ui.trace()["notes"];
+  ui.key("ctrl+q");
+  EXPECT_EQ(ui.waitExit(), 0) << ui.log();
+}
+
 TEST(RayScope, PicksExplainsAndMutes) {
   UiSession ui({1440, 900}, {graphFile().string()});
   ASSERT_TRUE(ui.running()) << ui.log();

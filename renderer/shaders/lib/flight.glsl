@@ -45,6 +45,7 @@ int pathChannel = 0;  // that decides
 vec3 metAt = vec3(0.0);
 int metVolume = 0;
 vec3 metFactor = vec3(1.0);  // of its albedo, by a table of densities
+float metSigma = 0.0;        // of all that is there [1/m]
 
 vec3 tintOf(int v) {
 #if TINTED
@@ -181,7 +182,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
     f.state = loudest <= 0.0 || ends ? kArrived : kFlying;
   } else if (decide(sigma, most, v.x)) {
     f.state = kCollided;
-    metAt = pointAt(s, to);
+    metAt = pointAt(s, to), metSigma = pick.sum;
     // The chosen one's part of the extinction over the chance that it was chosen by.
     pathWeight *= pick.sum * tintOf(metVolume);
   }

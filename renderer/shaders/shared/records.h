@@ -87,6 +87,9 @@ struct BlockRecord {
 // Bits of a light's solids.z.
 #define LIGHT_HAS_WEIGHTS 1  // of intervals
 #define LIGHT_HAS_HORIZON 2
+// For path tracers: a point or spot in the box around what is drawn; one that all that is drawn shadows.
+#define LIGHT_INSIDE 4
+#define LIGHT_BEHIND_ALL 8
 
 // Of a sun behind air, so many texels of the scene table: transmittance by colour at heights above the sea
 // that rise with the square of the index up to AIR_TOP metres.
@@ -101,7 +104,8 @@ struct LightRecord {
   mat4 worldFromLight;
   vec4 towards;   // xyz: unit vector towards the sun, or against the axis of a spot; w: cosine at the edge of
                   // a spot's cone, of a sun the mean cosine of the directions it stands for
-  vec4 emitted;   // rgb: irradiance [W/m^2] or radiant intensity [W/sr]; w: radius [m]
+  vec4 emitted;   // rgb: irradiance [W/m^2] or radiant intensity [W/sr]; w: radius [m], of a sun the
+                  // sine of half its diameter
   vec4 extent;    // x: metres from near to far; y: step scale of a ray march; z: near distance [m] (0 for a
                   // sun); w: tangent of a map's half angle
   vec4 position;  // xyz: of a point or spot light; w: cosine where a spot begins to fade. Of a sun behind
@@ -109,7 +113,7 @@ struct LightRecord {
   ivec4 shadow;   // x: SHADOW_*, y: BASIS_*, z: coefficients, w: METRIC_*
   ivec4 items;    // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray
                   // march) or first deep texel; w: LIGHT_*
-  ivec4 solids;   // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*;
+  ivec4 solids;   // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*, ...;
                   // w: of a sun behind air 1 + its first texel there, else 0
   BlockRecord metric;
   BlockRecord coefficients;

@@ -1,19 +1,23 @@
 // All orders of scattering, without bias: paths from the camera through null collisions, at each vertex one
-// light chosen by what it would bring, the environment also where the phase function leads. An invocation
-// traces the samples of its pixel one after the other for as long as its share of work lasts, and leaves what
-// the next dispatch goes on from.
+// light chosen by what it would bring; what is wide (the environment, the discs of soft suns) also where the
+// phase function leads, what is near (points and spots in the media) also at places of each flight that are
+// chosen for it. An invocation traces the samples of its pixel one after the other for as long as its share
+// of work lasts, and leaves what the next dispatch goes on from.
 // Variant constants: SOLIDS, ENVIRONMENT, BACKDROP, TINTED, TRANSMITTANCE (TRANSMITTANCE_*), ORDER (1: only
-// one range of orders counts) and those of lib/flight.glsl and lib/light_transmittance.glsl.
+// one range of orders counts) and those of lib/flight.glsl, lib/along.glsl, lib/disc.glsl and
+// lib/light_transmittance.glsl.
 #ifndef BACKDROP
 #define BACKDROP 0
 #endif
 #include "shared/path.h"
 #include "lib/backdrop.glsl"
+#include "lib/along.glsl"
 #include "lib/camera.glsl"
+#include "lib/disc.glsl"
 #include "lib/environment.glsl"
 #include "lib/flight.glsl"
 #include "lib/light_transmittance.glsl"
-#include "lib/phase.glsl"
+#include "lib/scatter.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #ifndef ORDER
@@ -23,7 +27,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = IMAGE_MEAN) uniform image2D meanImage;
 layout(rgba32f, binding = IMAGE_DEVIATIONS) uniform image2D deviationImage;
 layout(rgba32f, binding = IMAGE_ODD) uniform image2D oddImage;
+#if !ALONG
 uniform int lightCount;
+#endif
 uniform int solidCount;
 uniform ivec2 sampleRange;  // of this round: first, one behind the last
 uniform int pathDispatch, pathBudget;
@@ -31,7 +37,8 @@ uniform int firstPath;      // number of sample 0's path
 uniform int mostBounces;    // vertices that scatter behind the first; what is beyond MOST_BOUNCES is counted
 uniform ivec2 orders;       // with ORDER: of them only from .. up to
 uniform vec2 chances;       // share of the choice by unshadowed power; factor of what maps say
-const bool kSolids = SOLIDS != 0, kEnvironment = ENVIRONMENT != 0;
+uniform float skyFactor;    // of the environment's part in that choice
+const bool kSolids = SOLIDS != 0, kEnvironment = ENVIRONMENT != 0, kDiscs = DISCS != 0;
 const float kSeriesDepth = 3.0;  // a series serves up to that optical depth, by the map
 
 struct PathState {
@@ -40,21 +47,21 @@ struct PathState {
   vec4 radiance;            // of the sample; w: alpha
   vec4 through, pending;    // of a flight that measures; w: place
   vec4 next;                // direction behind it, its density
-  vec4 nextWeight;          // weight there; w: how far into its stretch the flight is
+  vec4 nextWeight;          // weight there, or where it begins; w: how far into its stretch the flight is
   ivec4 counts;             // sample, draws, bounces, flags
 };
 layout(std430, binding = BIND_PATH_STATES) buffer PathStates {
   int pathsLeft, above, tooLong, spare_;
   PathState pathStates[];
 };
-const int kMeasures = 1, kChannel = 2, kPathDone = 8, kLight = 16;
+const int kMeasures = 1, kChannel = 2, kPathDone = 8, kLight = 16, kNear = 1024;
 
 int work = 0;
 void spendWork(int iterations) { work += iterations; }
 bool workIsLeft() { return work < pathBudget; }
 
 // Of the path.
-Flight flight;
+Flight flight = Flight(vec3(0.0), vec3(0.0), 0.0, ivec2(0), vec2(0.0), 0.0, 0.0, kFlying, false, vec3(1.0));
 vec4 radiance = vec4(0.0);  // rgb, and alpha
 int bounces = 0;            // vertices before the flight
 float density = -1.0;       // of the flight's direction [1/sr]; < 0: there was no choice
@@ -63,6 +70,10 @@ float sky = 0.0;            // chance of the environment at the vertex where it 
 vec3 pending = vec3(0.0), nextDirection = vec3(0.0), nextWeight = vec3(0.0);
 float nextDensity = 0.0;
 int lightOfFlight = -1;     // that is measured; -1: none, or the environment
+// Of what is measured for a place that was chosen for being near a light: nothing, the way there, or from
+// there to the light. The flight proper, from nextWeight along nextDirection, waits behind it.
+int nearWay = 0;
+const int kToPlace = 1, kToLight = 2;
 
 float luminance(vec3 c) { return dot(c, vec3(0.2722287168, 0.6740817658, 0.0536895174)); }
 
@@ -82,16 +93,6 @@ void add(vec3 contribution, int vertex) {
 // Fire is seen, and seen by so many scatterings as there are bounces.
 void addGlow(vec3 glow) { add(bounces <= bounceLimit() ? glow : vec3(0.0), bounces); }
 
-void beginSample(ivec2 pixel, int s) {
-  seedPath(pixel, firstPath + s);
-  vec3 u = random3();
-  pathWeight = vec3(1.0), pathRatio = vec3(1.0);
-  pathChannel = min(int(3.0 * u.z), 2);
-  radiance = vec4(0.0);
-  bounces = 0, density = -1.0, sky = 0.0, lightOfFlight = -1;
-  flight = flightFrom(eye, cameraDirection(pixel, u.xy), kNoHit, volumesOf(0), false);
-}
-
 // Where the flight ends at the latest.
 int endSolid = -1;
 vec3 endNormal = vec3(0.0, 1.0, 0.0);
@@ -100,48 +101,11 @@ void findEnd() {
   if (kSolids) flight.end = nearestSolid(solidCount, flight.o, flight.d, endSolid, endNormal);
 }
 
-// What scatters at a vertex: a medium's lobes, or a solid.
-struct Vertex {
-  vec3 p, d;  // and the direction in which it was reached
-  bool solid;
-  vec3 normal;
-  vec4 lobes;
-  float blend;
-  vec3 albedo;
-};
-
-// Scattered per unit of solid angle, but for the albedo [1/sr]; and the density of scatteredDirection.
-float scattersTo(Vertex v, vec3 d) {
-  if (v.solid) return max(dot(v.normal, d), 0.0) / kPi;
-#if PHASE_LOBES
-  return phaseOfLobes(dot(v.d, d), v.lobes, v.blend);
-#else
-  return phaseHg(dot(v.d, d), v.blend);
-#endif
-}
-
-vec3 scatteredDirection(Vertex v) {
-  vec3 u = random3();
-  float cosine;
-  if (v.solid) {
-    cosine = sqrt(u.x);
-  } else {
-#if PHASE_LOBES
-    vec2 lobe = u.z < v.blend ? v.lobes.zw : v.lobes.xy;
-    int tries = 0;
-    bool taken;
-    do {
-      cosine = henyeyGreensteinCosine(lobe.x, u.x);
-      float top = 1.0 + lobe.y;
-      taken = random3().x * top <= 1.0 + lobe.y * cosine * cosine;
-      if (!taken) u.xy = random3().xy;
-      spendWork(1);
-    } while (!taken && ++tries < 1000);
-#else
-    cosine = henyeyGreensteinCosine(v.blend, u.x);
-#endif
-  }
-  return directionAround(v.solid ? v.normal : v.d, cosine, u.y);
+// A flight that looks for a collision begins.
+void look(vec3 o, vec3 d) {
+  lightOfFlight = -1, nearWay = 0;
+  flight = flightFrom(o, d, kNoHit, volumesOf(0), false);
+  findEnd();
 }
 
 // One light, or -1 for the environment, chosen by what each would bring: its chance.
@@ -157,7 +121,7 @@ float chooseLight(Vertex v, out int chosen, out float skyChance) {
     float p = 0.0, b = 0.0;
 #if ENVIRONMENT
     if (l < 0) {
-      p = environmentPower / (4.0 * kPi), b = p / (4.0 * kPi);
+      p = skyFactor * environmentPower / (4.0 * kPi), b = p / (4.0 * kPi);
       ofSky = vec2(p, b);
     } else
 #endif
@@ -232,7 +196,7 @@ vec3 combDepth(ivec2 range, vec3 p, vec3 d, float end, float combs) {
 // Transmittance around the optical depth that a map says, p: exp(-tau) = exp(-p) SUM (p - tau)^k / k!, each
 // factor by a comb of its own, so that the mean is right whatever p is; ended at random.
 vec3 seriesTransmittance(ivec2 range, vec3 p, vec3 d, float end, float mapped) {
-  const float kGoesOn = 0.35;
+  const float kGoesOn = 0.12;
   float combs = 32.0 * sqrt(mapped);
   vec3 term = vec3(1.0), sum = vec3(1.0);
   int k = 1;
@@ -244,6 +208,39 @@ vec3 seriesTransmittance(ivec2 range, vec3 p, vec3 d, float end, float mapped) {
     more = random3().x < kGoesOn && k < 64;
   }
   return exp(-mapped) * sum;
+}
+#endif
+
+#if DISCS
+// Of what a disc brings from there: the part that is left to directions by the phase function, whose density
+// that is. None where those see it through other media than it shines through.
+float leftToPhase(int l, vec3 towards, float phase) {
+  float dense = discDensity(l, towards);
+  bool same = (lights[l].solids.z & LIGHT_BEHIND_ALL) != 0;
+  return same && dense > 0.0 ? phase / (phase + dense) : 0.0;
+}
+
+// What a path that was led there gets of all discs.
+vec3 discsAlong(vec3 d) {
+  vec3 sum = vec3(0.0);
+  int l = 0;
+  do {
+    float share = l < lightCount && isDisc(l) ? leftToPhase(l, d, density) * discDensity(l, d) : 0.0;
+    sum += share * lights[l].emitted.rgb;
+    spendWork(1);
+    ++l;
+  } while (l < lightCount);
+  return sum;
+}
+#endif
+
+#if ALONG
+// Of what a vertex on the flight gets from light l that is in the media: the part that is left to collisions,
+// with the extinction there for their density. What is near the light is left to the places chosen for it.
+float leftToCollisions(int l, vec3 p) {
+  NearRay r = nearRay(flight.o, flight.d, flight.end);
+  float chosen = nearDensity(l, r, dot(p - flight.o, flight.d), allBroughtAlong(r));
+  return metSigma / max(metSigma + chosen, 1e-30);
 }
 #endif
 
@@ -267,18 +264,100 @@ vec3 lightBrought(Vertex v, int light, float chance, out vec3 towards, out float
   light = max(light, 0);
   Incidence i = unshadowed(light, v.p);
   towards = i.towards, distance = i.distance, range = volumesOf(1 + light);
-  float visible = solidVisibility(light, v.p, towards, distance);
+  float share = 1.0;
+#if DISCS
+  if (isDisc(light)) {
+    towards = discDirection(light, random3().xy);
+    share = 1.0 - leftToPhase(light, towards, scattersTo(v, towards));
+  }
+#endif
+#if ALONG
+  if (!v.solid && (lights[light].solids.z & LIGHT_INSIDE) != 0) share = leftToCollisions(light, v.p);
+#endif
+  float visible = share * solidVisibility(light, v.p, towards, distance);
   return chance > 0.0 ? visible * scattersTo(v, towards) / chance * i.irradiance : vec3(0.0);
+}
+
+// On with what a light brings to p through nothing: the flight that measures the rest; or, where its map is
+// good for that, a series at once (false).
+bool measure(vec3 p, bool inMedium, vec3 brought, int light, vec3 towards, float distance, ivec2 range) {
+#if TRANSMITTANCE == TRANSMITTANCE_SERIES && (LIGHT_KINDS & MAPPED_SHADOWS)
+  // Where the map is dark a flight is soon over.
+  int shadow = lights[max(light, 0)].shadow.x;
+  if (light >= 0 && shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH && chances.y < 0.0) {
+    float mapped = -log(max(lookupTransmittance(light, p, inMedium), 1e-30));
+    if (mapped < kSeriesDepth) {
+      add(brought * seriesTransmittance(range, p, towards, distance, mapped), bounces);
+      return false;
+    }
+  }
+#endif
+  pending = brought, lightOfFlight = light;
+  flight = flightFrom(p, towards, distance, range, true);
+  return true;
+}
+
+// Where there are lights in the media, and a vertex would still count: before a flight, the way to a place of
+// it that is near one.
+void beginNear() {
+#if ALONG
+  if (bounces > bounceLimit()) return;
+  vec3 u = random3(), o = flight.o, d = flight.d;
+  NearRay r = nearRay(o, d, flight.end);
+  float all = allBroughtAlong(r), t;
+  int l = chooseNear(r, all, u.xy, t);
+  float sigma = mediumAlong(flight.range, o, d, t, u.z), chosen = nearDensity(max(l, 0), r, t, all);
+  if (l < 0 || sigma <= 0.0 || chosen <= 0.0) return;
+  Vertex v = mediumVertex(d);
+  Incidence i = unshadowed(l, v.p);
+  float visible = solidVisibility(l, v.p, i.towards, i.distance) * scattersTo(v, i.towards);
+  // By the balance of both ways to come to this place.
+  float share = visible * sigma / (chosen + sigma);
+  vec3 brought = pathMean() * v.albedo * tintOf(metVolume) * i.irradiance * share;
+  if (largest(brought) <= 0.0) return;
+  pending = brought, lightOfFlight = l, nearWay = kToPlace;
+  nextWeight = o, nextDirection = d;
+  flight = flightFrom(o, d, t, volumesOf(0), true);
+#endif
+}
+
+// Behind the way to a place near a light, or from there to it.
+bool arriveNear() {
+#if ALONG
+  pending *= flight.through;
+  bool dark = largest(pending) <= 0.0;
+  if (nearWay == kToPlace && !dark) {
+    int l = lightOfFlight;
+    vec3 p = flight.o + flight.end * flight.d;
+    Incidence i = unshadowed(l, p);
+    nearWay = kToLight;
+    if (measure(p, true, pending, l, i.towards, i.distance, volumesOf(1 + l))) return true;
+  } else if (!dark) {
+    add(pending, bounces);
+  }
+  look(nextWeight, nextDirection);
+#endif
+  return true;
+}
+
+void beginSample(ivec2 pixel, int s) {
+  seedPath(pixel, firstPath + s);
+  vec3 u = random3();
+  pathWeight = vec3(1.0), pathRatio = vec3(1.0);
+  pathChannel = min(int(3.0 * u.z), 2);
+  radiance = vec4(0.0);
+  bounces = 0, density = -1.0, sky = 0.0;
+  look(eye, cameraDirection(pixel, u.xy));
+  beginNear();
 }
 
 // Behind a vertex and its light: on, or the end of the sample.
 bool continuePath() {
   pathWeight = nextWeight, density = nextDensity;
   ++bounces;
-  lightOfFlight = -1;
   if (largest(pathWeight) <= 0.0) return false;
-  flight = flightFrom(flight.o, nextDirection, kNoHit, volumesOf(0), false);
-  findEnd();
+  look(flight.o, nextDirection);
+  beginNear();
   return true;
 }
 
@@ -292,8 +371,8 @@ bool scatter(Vertex v) {
   nextWeight *= random3().x < goes ? 1.0 / goes : 0.0;
   bool last = bounces >= bounceLimit();
   if (last && mostBounces < 0) atomicAdd(tooLong, 1);
-  // The environment behind the last vertex is still looked at.
-  nextWeight *= last && !kEnvironment ? 0.0 : 1.0;
+  // What is wide is still looked at behind the last vertex.
+  nextWeight *= last && !kEnvironment && !kDiscs ? 0.0 : 1.0;
   int light;
   float chance = chooseLight(v, light, sky);
   vec3 towards;
@@ -302,25 +381,13 @@ bool scatter(Vertex v) {
   vec3 brought = pathMean() * lightBrought(v, light, chance, towards, distance, range);
   flight.o = v.p;
   if (largest(brought) <= 0.0) return continuePath();
-#if TRANSMITTANCE == TRANSMITTANCE_SERIES && (LIGHT_KINDS & MAPPED_SHADOWS)
-  // Where the map is dark a flight is soon over.
-  int shadow = lights[max(light, 0)].shadow.x;
-  if (light >= 0 && shadow != SHADOW_NONE && shadow != SHADOW_RAY_MARCH && chances.y < 0.0) {
-    float mapped = -log(max(lookupTransmittance(light, v.p, !v.solid), 1e-30));
-    if (mapped < kSeriesDepth) {
-      add(brought * seriesTransmittance(range, v.p, towards, distance, mapped), bounces);
-      return continuePath();
-    }
-  }
-#endif
-  pending = brought, lightOfFlight = light;
-  flight = flightFrom(v.p, towards, distance, range, true);
-  return true;
+  return measure(v.p, !v.solid, brought, light, towards, distance, range) || continuePath();
 }
 
 // The end of a flight. False: the sample ends with it.
 bool arrive() {
   if (flight.measures) {
+    if (nearWay > 0) return arriveNear();
     add(pending * flight.through, bounces);
     return continuePath();
   }
@@ -337,25 +404,21 @@ bool arrive() {
       add(passes * density / max(density + other, 1e-30) * environmentAt(at).rgb, bounces - 1);
     }
 #endif
+#if DISCS
+    if (!camera) add(passes * discsAlong(flight.d), bounces - 1);
+#endif
 #if BACKDROP
     if (camera) add(passes * backdrop(flight.d), 0);
 #endif
     return false;
   }
   if (bounces > bounceLimit()) return false;
-  Vertex v;
-  v.d = flight.d, v.solid = solid, v.normal = endNormal;
-  v.lobes = vec4(0.0), v.blend = 0.0;
+  Vertex v = mediumVertex(flight.d);
   if (solid) {
+    v.solid = true, v.normal = endNormal;
     v.p = flight.o + flight.end * flight.d;
     v.p += solidClearance(endSolid, v.p, endNormal, flight.end) * endNormal;
     v.albedo = solidAlbedo(endSolid);
-  } else {
-    vec4 albedo = albedoOf(metVolume);
-    v.p = metAt, v.albedo = albedo.rgb * metFactor, v.blend = albedo.w;
-#if PHASE_LOBES
-    v.lobes = lobesOf(metVolume);
-#endif
   }
   return scatter(v);
 }
@@ -373,7 +436,8 @@ void store(ivec2 pixel, int s) {
 }
 
 int keepFlags() {
-  return (flight.measures ? kMeasures : 0) | pathChannel * kChannel | (lightOfFlight + 1) * kLight;
+  return (flight.measures ? kMeasures : 0) | pathChannel * kChannel | (lightOfFlight + 1) * kLight |
+         nearWay * kNear;
 }
 
 void load(PathState k, ivec2 pixel) {
@@ -382,13 +446,13 @@ void load(PathState k, ivec2 pixel) {
   bounces = k.counts.z;
   pathChannel = k.counts.w / kChannel & 3;
   flight.measures = (k.counts.w & kMeasures) != 0;
-  lightOfFlight = k.counts.w / kLight - 1;
+  lightOfFlight = (k.counts.w / kLight & 63) - 1, nearWay = k.counts.w / kNear & 3;
   flight.o = k.origin.xyz, flight.end = k.origin.w;
   flight.d = k.direction.xyz, flight.left = k.direction.w;
   flight.place = vec2(k.through.w, k.pending.w);
   flight.at = k.nextWeight.w;
   flight.through = k.through.rgb, flight.state = kFlying;
-  flight.range = volumesOf(lightOfFlight + 1);
+  flight.range = volumesOf(nearWay == kToPlace ? 0 : lightOfFlight + 1);
   pathWeight = k.weight.rgb, density = k.weight.w;
   pathRatio = k.ratio.rgb, sky = k.ratio.w;
   radiance = k.radiance;
@@ -415,7 +479,6 @@ void main() {
   int slot = regionSlot(pixel), s = sampleRange.x;
   if (pathDispatch == 0) {
     beginSample(pixel, s);
-    findEnd();
   } else {
     PathState k = pathStates[slot];
     if ((k.counts.w & kPathDone) != 0) return;
@@ -430,7 +493,6 @@ void main() {
       ++s;
       finished = s >= sampleRange.y;
       beginSample(pixel, s);
-      findEnd();
     }
     spendWork(4);
   } while (!finished && workIsLeft());

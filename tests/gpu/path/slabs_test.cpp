@@ -42,5 +42,23 @@ TEST(PathSlabs, FluxesOfPublishedTables) {
     }
 }
 
+// A half-space that scatters evenly: Chandrasekhar's H function gives what it sends back of a beam at right
+// angles, 1 - H(1) sqrt(1 - w) in all and w H(1)^2 / (8 pi) straight up. A slab so thick that nothing comes
+// through is one.
+TEST(PathSlabs, HalfSpacesOfHFunctions) {
+  struct Case {
+    double albedo, h, depth;
+  };
+  for (const Case& c : {Case{0.5, 1.25126, 20}, Case{0.9, 1.85010, 30}, Case{0.99, 2.47279, 60}}) {
+    const double reflected = 1 - c.h * std::sqrt(1 - c.albedo), up = c.albedo * c.h * c.h / (8 * kPi);
+    const Slab s{"", 0, c.albedo, c.depth, 1, reflected, 0};
+    test::expectMean(test::traced(slab(s, true, 512)), reflected, std::max(0.003 * reflected, 0.001),
+                     fmt::format("half-space, w {}: plane albedo", c.albedo));
+    view::RenderScene beam = slab(s, true, 256);
+    beam.lights = {{test::sunFrom({0, 1, 0}), nullptr}};
+    test::expectMean(test::traced(beam), up, 0.003 * up, fmt::format("half-space, w {}: radiance", c.albedo));
+  }
+}
+
 }  // namespace
 }  // namespace pileus

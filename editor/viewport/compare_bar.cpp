@@ -70,10 +70,14 @@ void drawCompareBar(Ui& ui, Shown& shown, ImVec2 min, ImVec2 max) {
   draw->AddRectFilled(min, max, palette::kPanel);
   draw->AddLine(min, {max.x, min.y}, palette::kLine);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(5)});
+  // In a small panel the choices are lists.
+  const float wanted = segmentsWidth(theme, mode.layout) + segmentsWidth(theme, mode.of) + theme.space(8) +
+                       (mode.layout == CompareLayout::Error ? theme.px(190) : 0);
+  const bool narrow = wanted > max.x - min.x - (max.y - min.y);
   ImGui::BeginGroup();
-  segments(ui, "compare", mode.layout);
+  segments(ui, "compare", mode.layout, narrow);
   ImGui::SameLine(0, theme.space(3));
-  segments(ui, "compare/of", mode.of);
+  segments(ui, "compare/of", mode.of, narrow);
   if (mode.layout == CompareLayout::Error) {
     ImGui::SameLine(0, theme.space(4));
     chooseScale(ui, shown);

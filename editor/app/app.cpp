@@ -38,6 +38,7 @@
 #include "editor/toolkit/modals.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/ui_trace.h"
+#include "editor/toolkit/widgets.h"
 #include "editor/toolkit/window.h"
 #include "editor/viewport/region_view.h"
 #include "editor/viewport/viewport.h"
@@ -125,8 +126,23 @@ bool holdsInput(Editor& editor, const InputEvent& e, bool moved) {
   return editor.fields.holds(e, moved, pressed && actsWhileTyping(editor, keyPressOf(e)));
 }
 
+/// The whole of a cut text, once the pointer rests on it.
+void drawCutText(Editor& editor) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  FrameState& now = editor.now;
+  updateRest(now.rest, {0, 0}, size);
+  if (now.rest.short_)
+    if (const std::string text = tellCutText(editor.theme); !text.empty())
+      editor.trace.note("cut text", text);
+  for (std::size_t i = 0; i < now.cut.texts.size(); ++i)
+    editor.trace.note(fmt::format("cut/{}", i), now.cut.texts[i]);
+}
+
 void drawFrame(Editor& editor) {
   editor.trace.begin();
+  editor.now.cut.beginFrame();
+  editor.now.cut.all = editor.trace.on();
+  ImGui::GetIO().UserData = &editor.now.cut;
   editor.fields.beginFrame();
   handleKeys(editor);
   stepPlayback(editor.session, editor.clock, editor.shown.preview.answered());
@@ -135,6 +151,7 @@ void drawFrame(Editor& editor) {
   drawDialogs(editor);
   drawCommandPalette(editor);
   drawTour(editor.ui, editor.settings, editor.tour);
+  drawCutText(editor);
   if (const std::string lost = editor.fields.endFrame(); !lost.empty()) editor.messages.hint(lost);
 }
 
@@ -207,6 +224,8 @@ double idleSeconds(const Editor& editor, int settling) {
   if (editor.viewport.wheelEdit) return 0.25;
   for (const PointerRest* rest : {&editor.parameters.rest, &editor.timeline.rest})
     if (const double due = helpDueIn(*rest); due > 0) return due;
+  if (!editor.now.cut.under.empty() && !editor.now.rest.short_)
+    if (const double due = helpDueIn(editor.now.rest); due > 0) return due;
   double due = 60;
   if (const double files = editor.shown.preview.filesDueIn(); files >= 0) due = std::min(due, files + 0.01);
   // A notice is drawn while it fades, and once more when it is gone.

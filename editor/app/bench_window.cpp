@@ -1,6 +1,7 @@
 #include "editor/app/bench_window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -8,15 +9,18 @@
 
 #include "editor/app/app.h"
 #include "editor/cli/big_graph.h"
+#include "editor/document/environment_scene.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/graph_view/canvas.h"
+#include "editor/picture/compare_mode.h"
 #include "editor/picture/shown.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/ui_trace.h"
 #include "editor/toolkit/window.h"
 #include "renderer/base/file.h"
 #include "renderer/base/log.h"
+#include "renderer/image/exr.h"
 
 namespace pileus::editor {
 namespace {
@@ -115,6 +119,65 @@ std::vector<double> dragTimes(Editor& editor, dvec2 at) {
   return times;
 }
 
+/// From the command to a frame that shows something of the truth, from the state that the window is in.
+double truthTime(Editor& editor) {
+  int settling = kSettlingFrames;
+  const Stopwatch clock;
+  toggleWipe(editor.messages, editor.shown);
+  while (clock.ms() < 60000 && !editor.shown.compare.shownTruth()) {
+    settling = kSettlingFrames;
+    runFrame(editor, settling);
+  }
+  runFrame(editor, settling);  // it is drawn by the next one
+  const double ms = clock.ms();
+  toggleWipe(editor.messages, editor.shown);
+  runFrame(editor, settling);
+  return ms;
+}
+
+/// A gradient with a bright side, as a file that an environment reads.
+Result<std::filesystem::path> environmentFile() {
+  image::Image picture;
+  picture.size = {256, 128};
+  std::vector<float> texels;
+  for (int y = 0; y < picture.size.y; ++y)
+    for (int x = 0; x < picture.size.x; ++x) {
+      const float up = 1 - static_cast<float>(y) / 128, side = std::exp2(-static_cast<float>(x) / 16);
+      texels.insert(texels.end(), {0.1f + 2 * side, 0.1f + 0.3f * up + 2 * side, 0.1f + up + 2 * side, 1});
+    }
+  picture.layers.push_back({"", 4, std::move(texels)});
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "pileus-bench-environment.exr";
+  PILEUS_CHECK(image::writeExr(file, picture));
+  return file;
+}
+
+/// The default preset under an environment beside its own lights, turned by a drag over the picture.
+int turnRow() {
+  const Result<std::filesystem::path> file = environmentFile();
+  if (!file) return static_cast<int>(file.error().code);
+  bool measured = false;
+  const int code = withEditor({}, [&](Editor& editor) {
+    editor.trace.collect(true);
+    settle(editor, 120);
+    Result<EnvironmentScene> scene = addEnvironment(editor.session.document.root(), *file);
+    if (!scene) return log::error("bench: {}", scene.error().message);
+    tryEditRoot(editor.session, editor.messages, scene->graph, "Add the environment");
+    editor.session.document.endMerge();
+    editor.session.document.select({scene->node});
+    settle(editor, 120);
+    dvec2 at;
+    if (!middleOf(editor, "viewport", at)) return log::error("bench: there is no viewport");
+    const std::vector<double> times = dragTimes(editor, at);
+    std::printf(
+        "| drag that turns an environment to new picture, default preset | %.0f ms (worst %.0f) | 150 ms |\n",
+        median(times), *std::max_element(times.begin(), times.end()));
+    measured = true;
+  });
+  std::error_code ec;
+  std::filesystem::remove(*file, ec);
+  return code == 0 && !measured ? static_cast<int>(Code::Internal) : code;
+}
+
 /// Share of one processor while nothing happens.
 double restShare(Editor& editor) {
   int settling = 0;
@@ -145,6 +208,12 @@ int defaultRows() {
     const std::vector<double> times = dragTimes(editor, at);
     std::printf("| slider drag to new picture, default preset | %.0f ms (worst %.0f) | 100 ms |\n",
                 median(times), *std::max_element(times.begin(), times.end()));
+    const double refining = truthTime(editor);
+    settle(editor, 120);
+    std::printf(
+        "| compare mode to a draft of the truth, default preset | %.0f ms, while it refines %.0f | 1000 ms "
+        "|\n",
+        truthTime(editor), refining);
     settle(editor, 120);
     std::printf("| processor at rest | %.1f %% | 3 %% |\n", 100 * restShare(editor));
     measured = true;
@@ -159,6 +228,7 @@ int benchWindow() {
   int code = canvasRow(40, 60);
   if (code == 0) code = canvasRow(500, 30);
   if (code == 0) code = defaultRows();
+  if (code == 0) code = turnRow();
   return code;
 }
 

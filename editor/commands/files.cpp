@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "editor/commands/relink.h"
+#include "editor/document/daylight.h"
 #include "editor/document/drops.h"
 #include "editor/document/graph_pictures.h"
 #include "editor/document/session.h"
@@ -124,8 +125,10 @@ void quit(Editor& editor) {
 
 void newDocument(Editor& editor) {
   withSavedDocument(editor, [&editor] {
-    editor.session.document = nodes::Document();
+    Result<nodes::Graph> scene = newScene();
+    editor.session.document = nodes::Document(scene ? std::move(*scene) : nodes::Graph());
     documentReplaced(editor);
+    editor.canvas.frameAll = true;
   });
 }
 

@@ -47,7 +47,7 @@ void heading(const Editor& editor, const char* text) {
 bool button(Editor& editor, const char* label, const char* trace, bool primary = false) {
   if (primary) {
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kAccentHover);
   }
   const bool pressed = ImGui::Button(label, {editor.theme.px(124), 0});
   if (primary) ImGui::PopStyleColor(2);

@@ -1,13 +1,12 @@
 #include "editor/document/environment_scene.h"
 
+#include "editor/document/daylight.h"
 #include "editor/document/vdb_scene.h"
 
 namespace pileus::editor {
 namespace {
 
 using nodes::Graph;
-
-constexpr int kResolution = 128;  // of its shadow maps
 
 std::string firstRender(const Graph& graph) {
   for (const auto& [name, node] : graph.nodes)
@@ -62,7 +61,7 @@ Result<EnvironmentScene> addEnvironment(const Graph& graph, const std::filesyste
   PILEUS_TRY(const std::string metric,
              add(g, "shadow.pseudometric", at + dvec2(260, 0), out.node + " Metric"));
   PILEUS_TRY(const std::string map, add(g, "shadow.extinction", at + dvec2(520, 0), out.node + " Shadow"));
-  PILEUS_TRY(g, nodes::setParam(g, metric, "resolution", kResolution));
+  PILEUS_TRY(g, nodes::setParam(g, metric, "resolution", kWideLightTexels));
   PILEUS_CHECK(linkLike(g, render, "volumes", metric));
   PILEUS_CHECK(linkLike(g, render, "solids", metric));
   PILEUS_CHECK(link(g, out.node, "light", metric, "light"));

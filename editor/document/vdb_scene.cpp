@@ -6,61 +6,13 @@
 #include <cmath>
 #include <deque>
 
+#include "editor/document/daylight.h"
+#include "editor/document/scene_builder.h"
+
 namespace pileus::editor {
 namespace {
 
 using nodes::Graph;
-
-constexpr double kStepX = 260, kStepY = 170;
-
-/// A graph that is being added to; the first refusal stays.
-class Builder {
- public:
-  explicit Builder(Graph graph) : graph_(std::move(graph)) {
-    double left = 0, bottom = 0;
-    bool any = false;
-    for (const auto& [name, node] : graph_.nodes) {
-      left = any ? std::min(left, node->at.x) : node->at.x;
-      bottom = any ? std::max(bottom, node->at.y + 240) : node->at.y + 240;
-      any = true;
-    }
-    origin_ = {left, bottom};
-  }
-
-  /// A node in a column and row below what is there.
-  std::string add(std::string_view type, int column, double row, std::string_view wanted) {
-    const std::string name =
-        nodes::freeName(graph_, nodes::checkName(wanted) ? std::string(wanted) : "Volume");
-    take(nodes::addNode(graph_, type, origin_ + dvec2(column * kStepX, row * kStepY), name));
-    added.insert(name);
-    return name;
-  }
-  void set(const std::string& node, const std::string& param, const nodes::ParamValue& value) {
-    take(nodes::setParam(graph_, node, param, value));
-  }
-  void link(const std::string& from, const std::string& out, const std::string& to, const std::string& in) {
-    const nodes::Link wanted{from, out, to, in};
-    if (std::find(graph_.links.begin(), graph_.links.end(), wanted) == graph_.links.end())
-      take(nodes::connect(graph_, wanted));
-  }
-  const Graph& graph() const { return graph_; }
-  Result<Graph> finish() {
-    if (error_) return *error_;
-    return std::move(graph_);
-  }
-  std::set<std::string> added;
-
- private:
-  void take(Result<Graph> next) {
-    if (next)
-      graph_ = std::move(*next);
-    else if (!error_)
-      error_ = next.error();
-  }
-  Graph graph_;
-  dvec2 origin_{0};
-  std::optional<Error> error_;
-};
 
 const nodes::NodeType* typeOf(const Graph& graph, const std::string& name) {
   const nodes::Node* node = nodes::findNode(graph, name);
@@ -101,7 +53,7 @@ bool hasLink(const Graph& graph, const std::string& node, nodes::SocketType type
 
 /// The maps that shadow the render's lights: those whose volumes count (a map with a metric takes the
 /// metric's).
-void linkToShadows(Builder& build, const std::string& medium, const std::string& render) {
+void linkToShadows(SceneBuilder& build, const std::string& medium, const std::string& render) {
   for (const std::string& name : upstream(build.graph(), render, "lights")) {
     const nodes::NodeType* type = typeOf(build.graph(), name);
     if (!type || type->category != "Shadow" || hasLink(build.graph(), name, nodes::SocketType::Metric))
@@ -150,7 +102,7 @@ struct Added {
   double rows = 0;
 };
 
-std::string addFile(Builder& build, const volume::VdbFit& fit, double row, const std::string& name,
+std::string addFile(SceneBuilder& build, const volume::VdbFit& fit, double row, const std::string& name,
                     const std::string& grid) {
   const std::string file = build.add("volume.vdb_file", 0, row, name);
   build.set(file, "file", fit.file.string());
@@ -158,7 +110,7 @@ std::string addFile(Builder& build, const volume::VdbFit& fit, double row, const
   return file;
 }
 
-void addSmoke(Builder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
+void addSmoke(SceneBuilder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
   const std::string file = addFile(build, fit, added.rows, name, fit.byDefault ? "" : fit.guess.grid);
   const std::string medium = build.add("volume.medium", 1, added.rows++, file + " Medium");
   build.set(medium, "extinction", std::min(volume::threeDigits(fit.fit.extinction), 1e6));
@@ -168,7 +120,7 @@ void addSmoke(Builder& build, const volume::VdbFit& fit, const std::string& name
   added.media.push_back(medium);
 }
 
-void addFire(Builder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
+void addFire(SceneBuilder& build, const volume::VdbFit& fit, const std::string& name, Added& added) {
   const std::string file = addFile(build, fit, added.rows, name, fit.fire->grid);
   const std::string body = build.add("volume.blackbody", 1, added.rows++, file + " Black Body");
   const volume::FireRange& range = fit.fire->range;
@@ -181,7 +133,7 @@ void addFire(Builder& build, const volume::VdbFit& fit, const std::string& name,
   added.fires.push_back(body);
 }
 
-Added addFiles(Builder& build, std::span<const volume::VdbFit> fits) {
+Added addFiles(SceneBuilder& build, std::span<const volume::VdbFit> fits) {
   Added added;
   for (const volume::VdbFit& fit : fits) {
     const std::string name = nodeNameOf(fit.file);
@@ -191,33 +143,12 @@ Added addFiles(Builder& build, std::span<const volume::VdbFit> fits) {
   return added;
 }
 
-/// Sun, its shadow and a fill light around the media, below the files.
-void addLights(Builder& build, std::span<const std::string> media, double azimuth, double row,
-               const std::string& render) {
-  const std::string sun = build.add("light.sun", 1, row, "Sun");
-  build.set(sun, "azimuth", azimuth - 75);
-  build.set(sun, "elevation", 38.0);
-  build.set(sun, "irradiance", 22.0);
-  const std::string sky = build.add("light.sun", 2, row + 1, "Sky");
-  build.set(sky, "azimuth", azimuth + 60);
-  build.set(sky, "elevation", 60.0);
-  build.set(sky, "irradiance", 3.0);
-  build.set(sky, "color", dvec3(0.5, 0.7, 1.0));
-  const std::string metric = build.add("shadow.pseudometric", 2, row - 0.4, "Pseudometric Map");
-  const std::string map = build.add("shadow.extinction", 3, row - 0.4, "Extinction Map");
-  build.link(sun, "light", metric, "light");
-  build.link(metric, "metric", map, "metric");
-  for (const std::string& medium : media) build.link(medium, "volume", metric, "volumes");
-  build.link(map, "light", render, "lights");
-  build.link(sky, "light", render, "lights");
-}
-
 /// Lights for the smoke, a camera, a render and a view. Fire needs no light.
-std::string addLook(Builder& build, const Added& added, std::span<const volume::VdbFit> fits,
+std::string addLook(SceneBuilder& build, const Added& added, std::span<const volume::VdbFit> fits,
                     const scene::Camera& camera) {
   const dvec3 back = camera.eye - camera.target;
   const double azimuth = std::round(glm::degrees(std::atan2(back.x, back.z)));
-  const std::string eye = build.add("camera.perspective", 3, added.rows + 1, "Camera");
+  const std::string eye = build.add("camera.perspective", 3, added.rows + 1.7, "Camera");
   build.set(eye, "eye", camera.eye);
   build.set(eye, "target", camera.target);
   build.set(eye, "fov", camera.fov);
@@ -225,7 +156,7 @@ std::string addLook(Builder& build, const Added& added, std::span<const volume::
   build.set(render, "step_scale", stepScale(fits));
   for (const std::string& medium : added.media) build.link(medium, "volume", render, "volumes");
   for (const std::string& fire : added.fires) build.link(fire, "volume", render, "volumes");
-  if (!added.media.empty()) addLights(build, added.media, azimuth, added.rows, render);
+  if (!added.media.empty()) addDaylight(build, added.media, azimuth - 75, {1, added.rows}, render);
   build.link(eye, "camera", render, "camera");
   const std::string view = build.add("output.view", 5, 0, "View");
   build.link(render, "image", view, "image");
@@ -266,7 +197,7 @@ std::string nodeNameOf(const std::filesystem::path& file) {
 
 Result<VdbScene> addVdbFiles(const Graph& graph, std::span<const volume::VdbFit> fits,
                              const std::string& wanted, const std::optional<scene::Camera>& present) {
-  Builder build(graph);
+  SceneBuilder build(graph);
   const Added added = addFiles(build, fits);
   Box3 bounds;
   for (const volume::VdbFit& fit : fits)
@@ -280,7 +211,7 @@ Result<VdbScene> addVdbFiles(const Graph& graph, std::span<const volume::VdbFit>
     out.cameraNode = addLook(build, added, fits, camera);
     out.camera = camera;
     out.summary = what + (added.media.empty() ? " shown as fire alone, with a camera"
-                                              : " shown with a sun, its shadow and a camera");
+                                              : " shown under a sky, with shadows and a camera");
   } else {
     for (const std::string& medium : added.media) {
       build.link(medium, "volume", render, "volumes");
@@ -298,7 +229,7 @@ Result<VdbScene> addVdbFiles(const Graph& graph, std::span<const volume::VdbFit>
       out.summary += "; the camera was moved to see it";
     }
   }
-  out.added = build.added;
+  out.added = build.added();
   PILEUS_TRY(out.graph, build.finish());
   return out;
 }

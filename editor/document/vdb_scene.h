@@ -22,7 +22,7 @@ struct VdbScene {
 
 /// Each file as a VDB File and a Medium with the fitted extinction, and a second VDB File with a Black Body
 /// where it holds fire; fire alone needs no light. A graph with a render gets them linked to it and to its
-/// shadow maps; one without gets a sun with a shadow, a fill light, a camera, a render and a view. `render`:
+/// shadow maps; one without gets a sky (daylight.h), a camera, a render and a view. `render`:
 /// which one; "": the first. `present`: the camera it is seen through, if known.
 Result<VdbScene> addVdbFiles(const nodes::Graph& graph, std::span<const volume::VdbFit> fits,
                              const std::string& render = {},

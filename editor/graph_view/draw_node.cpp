@@ -111,21 +111,28 @@ void drawThrough(const Theme& theme, const CanvasView& view, const NodePlace& pl
                             std::max(view.px(2.4f), theme.scale));
 }
 
-/// Too far away for sockets and their labels: the name alone, at a size that can still be read.
+/// Too far away for sockets and their labels: the name alone, at a size that can still be read, in as many
+/// lines as there is room for.
 void drawDistantName(const Theme& theme, const CanvasView& view, const NodePlace& place, const NodeLook& look,
                      const Frame& f) {
   const float bottom =
       place.thumbnail == Thumbnail::None ? f.hi.y : std::round(view.screen(place.pictureMin).y);
   const float room = f.hi.x - f.lo.x - 6 * theme.scale;
   ImFont* font = theme.small;
-  if (room < theme.px(46) || bottom - f.lo.y < font->FontSize) return;
-  const std::string_view title = titleOf(place);
-  const float width = std::min(textWidth(font, title), room);
+  if (room < theme.px(46) || bottom - f.lo.y < font->FontSize) return noteHidden(f.lo, f.hi, titleOf(place));
   const bool quiet = place.node->bypass || look.disabled || look.unfound;
-  drawText(view.draw, font,
-           {0.5f * (f.lo.x + f.hi.x - width),
-            std::max(0.5f * (f.lo.y + f.header + bottom - font->FontSize), f.lo.y)},
-           quiet ? palette::kTextFaint : palette::kText, title, room);
+  const ImU32 ink = quiet ? palette::kTextFaint : palette::kText;
+  const float height = bottom - f.lo.y - f.header;
+  const std::vector<std::string_view> lines =
+      linesOf(font, titleOf(place), room, std::max(1, static_cast<int>(height / font->FontSize)));
+  const float all = font->FontSize * static_cast<float>(lines.size());
+  float y = std::max(0.5f * (f.lo.y + f.header + bottom - all), f.lo.y);
+  for (const std::string_view line : lines) {
+    const float width = std::min(textWidth(font, line), room);
+    drawText(view.draw, font, {0.5f * (f.lo.x + f.hi.x - width), y}, ink, line, room);
+    if (textWidth(font, line) > room) noteCut(f.lo, f.hi, titleOf(place));
+    y += font->FontSize;
+  }
 }
 
 /// An eye and the slot's number: what the viewport shows, and what a digit would. Returns what is left.
@@ -170,6 +177,8 @@ void drawHeader(const Theme& theme, const CanvasView& view, const NodePlace& pla
     view.draw->AddCircleFilled({at.x, at.y + r * 0.5f}, view.px(1.3f), palette::kNodeBorder);
     right -= 2 * r + view.px(5);
   }
+  // A long name does without its weight before it is cut.
+  if (textWidth(font, titleOf(place)) > right - x) font = view.level.text;
   drawText(view.draw, font, {x, y}, ink, titleOf(place), right - x);
 }
 
@@ -263,6 +272,7 @@ void drawNode(const Theme& theme, const CanvasView& view, const NodePlace& place
   if (look.stacked) drawStack(theme, view, f);
   drawBody(theme, view, place, look, f);
   if (view.level.zoom < 0.16f * theme.scale) {
+    noteHidden(f.lo, f.hi, titleOf(place));
     if (look.status) drawFooter(theme, view, place, look);
     return;
   }

@@ -15,7 +15,7 @@ namespace pileus::editor {
 namespace {
 
 constexpr float kFooter = 24, kGap = 5, kLine = 15, kIcon = 21, kPad = 7;
-constexpr std::size_t kMostLines = 3;
+constexpr int kMostLines = 3;
 
 struct FooterLook {
   ImU32 ink, back, edge;
@@ -51,27 +51,15 @@ std::string_view faultText(const nodes::NodeStatus& status, const std::string& n
   return kind == FooterKind::Warning ? std::string_view(status.warnings.front()) : std::string_view();
 }
 
-/// Cut between words; the last line holds all the rest.
-std::vector<std::string_view> linesOf(const CanvasView& view, const NodePlace& place, std::string_view text) {
-  const float room = view.px(place.max.x - place.min.x - kIcon - 2 * kPad);
-  ImFont* font = view.level.text;
-  std::vector<std::string_view> lines;
-  while (lines.size() + 1 < kMostLines && !text.empty()) {
-    const char* end = text.data() + text.size();
-    const char* cut = font->CalcWordWrapPositionA(1, text.data(), end, room);
-    if (cut == end) break;
-    lines.push_back(text.substr(0, static_cast<std::size_t>(cut - text.data())));
-    text.remove_prefix(lines.back().size());
-    while (text.starts_with(' ')) text.remove_prefix(1);
-  }
-  lines.push_back(text);
-  return lines;
+std::vector<std::string_view> footerLines(const CanvasView& view, const NodePlace& place,
+                                          std::string_view text) {
+  return linesOf(view.level.text, text, view.px(place.max.x - place.min.x - kIcon - 2 * kPad), kMostLines);
 }
 
 float footerHeight(const CanvasView& view, const NodePlace& place, const nodes::NodeStatus& status) {
   const std::string_view fault = faultText(status, place.name);
   if (fault.empty()) return kFooter;
-  return kFooter + kLine * static_cast<float>(linesOf(view, place, fault).size() - 1);
+  return kFooter + kLine * static_cast<float>(footerLines(view, place, fault).size() - 1);
 }
 
 }  // namespace
@@ -118,7 +106,7 @@ void drawFooter(const Theme& theme, const CanvasView& view, const NodePlace& pla
   x += view.px(kIcon);
   const float room = r.max.x - x - view.px(kPad);
   if (const std::string_view fault = faultText(status, place.name); !fault.empty()) {
-    for (const std::string_view line : linesOf(view, place, fault)) {
+    for (const std::string_view line : footerLines(view, place, fault)) {
       drawText(draw, font, {x, y}, ink.ink, line, room + 1);
       y += view.px(kLine);
     }

@@ -14,6 +14,7 @@
 #include "editor/toolkit/ui.h"
 #include "nodes/declare/value.h"
 #include "renderer/shadow/shadow_map.h"
+#include "renderer/view/environment_thumbnail.h"
 #include "renderer/view/map_thumbnail.h"
 #include "renderer/view/picture.h"
 
@@ -28,6 +29,11 @@ constexpr double kEvery = 1;      // seconds between two pictures while one stil
 ivec2 fitted(ivec2 size) {
   const double scale = static_cast<double>(kEdge) / std::max({size.x, size.y, 1});
   return glm::max(ivec2(dvec2(size) * scale), ivec2(1));
+}
+
+/// What of the display's settings a picture shows.
+std::string displayText(const view::DisplaySettings& s) {
+  return fmt::format("{}|{}|{}|{}|{}|{}", s.display, s.view, s.look, s.exposure, s.gamma, s.raw);
 }
 
 std::shared_ptr<const view::Picture> pictureOf(const nodes::SocketValue* value) {
@@ -55,6 +61,23 @@ void Thumbnails::prune(const nodes::Graph& graph) {
   });
 }
 
+void Thumbnails::draw(const Session& session, const Clock& clock, Shown& shown, const gl::Texture& texels,
+                      ivec2 size, Entry& e) {
+  const view::DisplaySettings settings = displaySettings(session, clock, shown);
+  if (e.slot == 0 && !freeSlots_.empty()) {
+    e.slot = freeSlots_.back();
+    freeSlots_.pop_back();
+  }
+  if (e.slot == 0) e.slot = kFirstSlot + slots_++;
+  view::DisplaySettings plain;
+  plain.display = settings.display, plain.view = settings.view, plain.look = settings.look;
+  plain.exposure = settings.exposure, plain.gamma = settings.gamma, plain.raw = settings.raw;
+  const ivec2 small = fitted(size);
+  const Result<unsigned> texture =
+      shown.displayed.display.draw(texels, size, small, *shown.displayed.colors, plain, e.slot);
+  e.picture = {texture ? *texture : 0u, small, 0};
+}
+
 int Thumbnails::frameOf(const std::string& name) const {
   const auto it = entries_.find(name);
   return it == entries_.end() || !it->second.picture.texture ? 0 : it->second.frame;
@@ -67,27 +90,39 @@ NodePicture Thumbnails::image(const Session& session, const Clock& clock, Shown&
   Entry& e = entries_[name];
   if (!picture || picture->size.x <= 0 || !shown.displayed.colors || passing(clock, shown, e))
     return e.picture;
-  const view::DisplaySettings settings = displaySettings(session, clock, shown);
-  const std::string display = fmt::format("{}|{}|{}|{}|{}|{}", settings.display, settings.view, settings.look,
-                                          settings.exposure, settings.gamma, settings.raw);
+  const std::string display = displayText(displaySettings(session, clock, shown));
   const bool same = e.source.lock() == picture && e.fraction == picture->fraction && e.display == display;
   if (same || (e.picture.texture && picture->fraction < 1 && ImGui::GetTime() - e.madeAt < kEvery))
     return e.picture;
-  if (e.slot == 0 && !freeSlots_.empty()) {
-    e.slot = freeSlots_.back();
-    freeSlots_.pop_back();
-  }
-  if (e.slot == 0) e.slot = kFirstSlot + slots_++;
-  view::DisplaySettings plain;
-  plain.display = settings.display, plain.view = settings.view, plain.look = settings.look;
-  plain.exposure = settings.exposure, plain.gamma = settings.gamma, plain.raw = settings.raw;
-  const ivec2 size = fitted(picture->size);
-  const Result<unsigned> texture = shown.displayed.display.draw(picture->color, picture->size, size,
-                                                                *shown.displayed.colors, plain, e.slot);
+  draw(session, clock, shown, picture->color, picture->size, e);
   e.source = picture;
   e.fraction = picture->fraction;
   e.display = display;
-  e.picture = {texture ? *texture : 0u, size, 0};
+  made(shown, e);
+  return e.picture;
+}
+
+NodePicture Thumbnails::environment(const Session& session, const Clock& clock, Shown& shown,
+                                    const std::string& name) {
+  Entry& e = entries_[name];
+  const nodes::SocketValue* value = shown.preview.evaluator().output(evaluatedName(session, name), "light");
+  const auto* lights = value ? std::get_if<nodes::LightValue>(value) : nullptr;
+  if (!lights || !shown.displayed.colors || passing(clock, shown, e)) return e.picture;
+  std::shared_ptr<const scene::Environment> light;
+  std::vector<scene::Light> suns;
+  for (const nodes::LightWithShadow& item : lights->items)
+    if (item.light.environment)
+      light = item.light.environment;
+    else
+      suns.push_back(item.light);
+  const std::string display = displayText(displaySettings(session, clock, shown));
+  if (!light || (e.source.lock() == light && e.display == display)) return e.picture;
+  const ivec2 size(kEdge, kEdge / 2);
+  const Result<gl::Texture> texels = view::environmentThumbnail(*light, suns, size);
+  if (!texels) return e.picture;
+  draw(session, clock, shown, *texels, ivec2(texels->size()), e);
+  e.source = light;
+  e.display = display;
   made(shown, e);
   return e.picture;
 }
@@ -123,6 +158,8 @@ NodePicture nodePicture(const GraphRoom& room, const NodePlace& place) {
   Thumbnails& all = room.canvas.pictures;
   const NodePicture picture = place.thumbnail == Thumbnail::Map
                                   ? all.map(room.session, room.clock, room.shown, place.name, *place.type)
+                              : place.thumbnail == Thumbnail::Environment
+                                  ? all.environment(room.session, room.clock, room.shown, place.name)
                                   : all.image(room.session, room.clock, room.shown, place.name);
   if (room.ui.trace.on())
     room.ui.trace.note("thumbnail " + place.name, std::to_string(all.frameOf(place.name)));
@@ -139,7 +176,7 @@ void toggleThumbnails(Ui& ui, const Session& session, const Settings& settings, 
     if (type && thumbnailKind(*type) != Thumbnail::None) able.push_back(name);
   }
   if (able.empty())
-    return ui.messages.hint("Select nodes that make a picture or a shadow map to show it on them.");
+    return ui.messages.hint("Select nodes that make a picture, a sky or a shadow map to show it on them.");
   const bool on =
       std::all_of(able.begin(), able.end(), [&](const std::string& n) { return choice.shows(n); });
   for (const std::string& name : able)

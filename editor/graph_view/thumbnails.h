@@ -1,6 +1,7 @@
 #pragma once
-// Pictures on nodes: what an image node shows, and the coefficients of a shadow map. Made when they are first
-// seen, and again when what they show has changed; while frames go by, once a second, and when they rest.
+// Pictures on nodes: what an image node shows, light from everywhere, and the coefficients of a shadow map.
+// Made when they are first seen, and again when what they show has changed; while frames go by, once a
+// second, and when they rest.
 #include <map>
 #include <memory>
 #include <string>
@@ -22,6 +23,8 @@ struct Ui;
 class Thumbnails {
  public:
   NodePicture image(const Session& session, const Clock& clock, Shown& shown, const std::string& name);
+  /// All directions of an environment or a sky, azimuth 0 in the middle.
+  NodePicture environment(const Session& session, const Clock& clock, Shown& shown, const std::string& name);
   NodePicture map(const Session& session, const Clock& clock, const Shown& shown, const std::string& name,
                   const nodes::NodeType& type);
   /// Those of nodes that are gone go, and their textures are used again.
@@ -43,6 +46,9 @@ class Thumbnails {
   /// Another frame is shown, but soon the next one: what is there stays for now.
   bool passing(const Clock& clock, const Shown& shown, const Entry& e) const;
   void made(const Shown& shown, Entry& e);
+  /// Texels through the display transform of what is shown, without its marks, into the entry's picture.
+  void draw(const Session& session, const Clock& clock, Shown& shown, const gl::Texture& texels, ivec2 size,
+            Entry& e);
 
   std::map<std::string, Entry> entries_;
   std::vector<int> freeSlots_;

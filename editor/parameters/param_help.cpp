@@ -151,6 +151,7 @@ void drawType(const Theme& theme, Parameters& parameters, const nodes::NodeType&
 void drawParamTooltip(Ui& ui, const ParamTarget& target) {
   const Theme& theme = ui.theme;
   const ParamSpec& spec = *target.spec;
+  if (CutTexts* cut = cutTexts()) cut->told += spec.label;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme.px(340));
   labelAndId(theme, spec.label, spec.id);

@@ -189,10 +189,12 @@ RowFrame rowFrame(const Theme& theme, bool wide, bool below) {
 
 bool rowLabel(const Theme& theme, const RowFrame& f, const std::string& label, bool strong) {
   const float room = (f.stacked ? f.width : f.widget - f.label) - theme.space(1);
-  editor::drawText(ImGui::GetWindowDrawList(), theme.body,
-                   {f.at.x + f.label, f.at.y + 0.5f * (f.height - theme.body->FontSize)},
+  // A long label is written smaller before it is cut.
+  ImFont* font = textWidth(theme.body, label) > room ? theme.small : theme.body;
+  editor::drawText(ImGui::GetWindowDrawList(), font,
+                   {f.at.x + f.label, f.at.y + 0.5f * (f.height - font->FontSize)},
                    strong ? palette::kText : palette::kTextDim, label, room);
-  return textWidth(theme.body, label) > room;
+  return textWidth(font, label) > room;
 }
 
 bool modifiedDot(Ui& ui, const std::string& id, const char* help, const RowFrame& f) {

@@ -169,7 +169,7 @@ bool switchField(const Theme& theme, const char* id, bool on, bool mixed) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const bool lit = on && !mixed;
   draw->AddRectFilled(lo, hi,
-                      lit       ? (hovered ? palette::kFieldFillHover : palette::kAccentDim)
+                      lit       ? (hovered ? palette::kAccentHover : palette::kAccentDim)
                       : hovered ? palette::kFieldHover
                                 : palette::kField,
                       0.5f * h);
@@ -196,6 +196,7 @@ void showEndOfPath(const std::string& path) {
                       style.FrameRounding);
   drawText(draw, font, {lo.x + style.FramePadding.x, lo.y + style.FramePadding.y},
            ImGui::GetColorU32(ImGuiCol_Text), endOfPath(font, path, room), room + 1);
+  noteCut(vec(lo), vec(hi), path);
 }
 
 bool textField(const Session& session, Parameters& parameters, const std::string& key, std::string& text,

@@ -9,7 +9,9 @@
 #include "editor/picture/gizmo_math.h"
 #include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
+#include "editor/picture/view_scene.h"
 #include "editor/preferences/settings.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 namespace {
@@ -19,15 +21,6 @@ constexpr std::size_t kFiles = 50;
 const CameraPlaces* placesOf(const Session& session, const Settings& settings) {
   for (const CameraPlaces& p : settings.view.cameras)
     if (p.path == session.document.path().string()) return &p;
-  return nullptr;
-}
-
-const nodes::SocketSpec* cameraInput(const Session& session, const std::string& user) {
-  const nodes::Node* node = nodes::findNode(session.document.root(), user);
-  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
-  if (type)
-    for (const nodes::SocketSpec& s : type->inputs)
-      if (s.type == nodes::SocketType::Camera) return &s;
   return nullptr;
 }
 
@@ -76,36 +69,35 @@ bool hasLinkedCamera(const Session& session, const Shown& shown) {
 }
 
 void cameraFromView(Messages& messages, Session& session, const Clock& clock, const Shown& shown) {
-  const std::string user = cameraUser(session, shownView(session, shown));
-  const nodes::SocketSpec* input = cameraInput(session, user);
-  if (!input) return messages.hint("Nothing that is shown takes a camera.");
+  const std::string user = cameraUser(session, shownView(session, shown)), input = cameraInput(session, user);
+  if (input.empty()) return messages.hint("Nothing that is shown takes a camera.");
   const scene::Camera camera = currentCamera(session, clock, shown);
-  const nodes::Graph& before = session.document.root();
+  const nodes::Graph& root = session.document.root();
+  // It stands beside what is seen through it, in the same group.
+  const nodes::NodeAt at = nodes::nodeAt(user);
+  const nodes::Graph& before = *nodes::graphAt(root, at.scope);
   const double scale = glm::length(camera.eye - camera.target);
   const std::string name = nodes::freeName(before, "Camera");
   Result<nodes::Graph> graph = nodes::addNode(before, "camera.perspective",
-                                              nodes::findNode(before, user)->at + dvec2(-280, 120), name);
+                                              nodes::findNode(before, at.name)->at + dvec2(-280, 120), name);
   if (graph) graph = nodes::setParam(*graph, name, "eye", tidy(camera.eye, scale));
   if (graph) graph = nodes::setParam(*graph, name, "target", tidy(camera.target, scale));
   if (graph) graph = nodes::setParam(*graph, name, "up", camera.up);
   if (graph) graph = nodes::setParam(*graph, name, "fov", tidy(camera.fov, 100));
-  if (graph) graph = nodes::connect(*graph, {name, "camera", user, input->id});
-  if (tryEditRoot(session, messages, std::move(graph), "Camera from view") &&
-      session.document.scope().empty())
+  if (graph) graph = nodes::connect(*graph, {name, "camera", at.name, input});
+  if (graph) graph = nodes::withGraphAt(root, at.scope, std::move(*graph));
+  const std::string shownAs = shownInScope(session, at.path(name));
+  if (tryEditRoot(session, messages, std::move(graph), "Camera from view") && shownAs == name)
     session.document.select({name});
 }
 
 void unlinkCamera(Messages& messages, Session& session, const Clock& clock, Shown& shown) {
-  const std::string user = cameraUser(session, shownView(session, shown));
-  const nodes::SocketSpec* input = cameraInput(session, user);
-  if (!input) return;
+  const std::string user = cameraUser(session, shownView(session, shown)), input = cameraInput(session, user);
+  if (input.empty()) return;
   // The view stays where it is.
   shown.freeCamera = currentCamera(session, clock, shown);
   shown.around = {};
-  nodes::Graph graph = session.document.root();
-  std::erase_if(graph.links,
-                [&](const nodes::Link& l) { return l.toNode == user && l.toSocket == input->id; });
-  tryEditRoot(session, messages, std::move(graph), "Unlink camera");
+  tryEditRoot(session, messages, nodes::unlinked(session.document.root(), user, input), "Unlink camera");
 }
 
 }  // namespace pileus::editor

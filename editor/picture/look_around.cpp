@@ -7,12 +7,13 @@
 #include "editor/picture/shown_camera.h"
 #include "editor/time/clock.h"
 #include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::editor {
 
 bool cameraLocked(const Session& session, const Clock& clock, const Shown& shown) {
   const nodes::Node* node =
-      nodes::findNode(session.document.root(), linkedCamera(session, shownView(session, shown)));
+      nodes::findNodeAt(session.document.root(), linkedCamera(session, shownView(session, shown)));
   const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
   const nodes::ParamSpec* spec = type ? type->param("lock") : nullptr;
   if (!spec) return false;
@@ -54,9 +55,8 @@ void applyLookAround(const Session& session, const Shown& shown, PreviewRequest&
   if (!view) return;
   request.freeCamera = view;
   const std::string user = cameraUser(session, request.view);
-  std::erase_if(request.graph.links, [&](const nodes::Link& link) {
-    return link.toNode == user && link.fromNode == shown.around.camera;
-  });
+  if (auto graph = nodes::unlinked(request.graph, user, cameraInput(session, user)))
+    request.graph = std::move(*graph);
   request.revision ^= std::uint64_t(1) << 62;  // another graph than the document's
 }
 

@@ -30,6 +30,7 @@ constexpr Handles kTypes[] = {
     {.type = "light.spot", .position = "position", .aim = "target", .cone = "cone"},
     {.type = "camera.perspective", .position = "eye", .aim = "target"},
     {.type = "light.sun"},
+    {.type = "light.sky"},
 };
 
 const Handles* handlesOf(const std::string& type) {
@@ -81,7 +82,8 @@ std::optional<GizmoTarget> gizmoTarget(const nodes::Graph& graph, const std::str
   }
   t.aims = read(handles->aim, t.aim);
   t.hasCone = read(handles->cone, t.cone);
-  t.sun = node->type == "light.sun" && read("azimuth", t.azimuth) && read("elevation", t.elevation);
+  const bool hasSun = node->type == "light.sun" || node->type == "light.sky";
+  t.sun = hasSun && read("azimuth", t.azimuth) && read("elevation", t.elevation);
   t.flat = node->type == "solid.plane";
   if (node->type == "volume.transform" && t.moves) {
     t.pivot = pivot;

@@ -15,6 +15,7 @@
 #include "editor/time/playback.h"
 #include "nodes/declare/value.h"
 #include "nodes/graph/graph_animation.h"
+#include "nodes/graph/graph_groups.h"
 #include "renderer/volume/autofit.h"
 
 namespace pileus::editor {
@@ -34,16 +35,19 @@ const nodes::SocketSpec* socketOfType(const nodes::NodeType& type, nodes::Socket
   return nullptr;
 }
 
+/// The type of a node by its path; null: there is none.
+const nodes::NodeType* typeAt(const Session& session, const std::string& path) {
+  const nodes::Node* node = nodes::findNodeAt(session.document.root(), path);
+  return node ? nodes::findNodeType(node->type) : nullptr;
+}
+
 Box3 volumeBounds(const Session& session, const Shown& shown, const std::string& user) {
   Box3 box;
-  const nodes::Graph& graph = session.document.root();
-  const nodes::Node* node = nodes::findNode(graph, user);
-  const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
+  const nodes::NodeType* type = typeAt(session, user);
   const nodes::SocketSpec* volumes = type ? socketOfType(*type, nodes::SocketType::Volume) : nullptr;
   if (!volumes) return box;
-  for (const nodes::Link& link : graph.links) {
-    if (link.toNode != user || link.toSocket != volumes->id || link.muted) continue;
-    const nodes::SocketValue* value = shown.preview.evaluator().output(link.fromNode, link.fromSocket);
+  for (const nodes::SocketAt& from : nodes::sourcesOf(session.document.root(), user, volumes->id)) {
+    const nodes::SocketValue* value = shown.preview.evaluator().output(from.node, from.socket);
     if (const auto* v = value ? std::get_if<nodes::VolumeValue>(value) : nullptr)
       box.extend(volume::worldBulkBounds(v->items));
   }
@@ -98,33 +102,35 @@ std::string displayNode(const Session& session, const Shown& shown) {
 }
 
 std::string cameraUser(const Session& session, const std::string& view) {
-  const nodes::Graph& graph = session.document.root();
   std::deque<std::string> queue{view};
   std::set<std::string> seen;
   while (!queue.empty()) {
-    const std::string name = queue.front();
+    const std::string path = queue.front();
     queue.pop_front();
-    if (name.empty() || !seen.insert(name).second) continue;
-    const nodes::Node* node = nodes::findNode(graph, name);
-    const nodes::NodeType* type = node ? nodes::findNodeType(node->type) : nullptr;
-    if (type && socketOfType(*type, nodes::SocketType::Camera)) return name;
-    for (const nodes::Link& link : graph.links)
-      if (link.toNode == name && !link.muted) queue.push_back(link.fromNode);
+    if (path.empty() || !seen.insert(path).second) continue;
+    const nodes::NodeType* type = typeAt(session, path);
+    if (type && socketOfType(*type, nodes::SocketType::Camera)) return path;
+    for (nodes::SocketAt& from : nodes::sourcesOf(session.document.root(), path, {}))
+      queue.push_back(std::move(from.node));
   }
   return {};
 }
 
+std::string cameraInput(const Session& session, const std::string& user) {
+  const nodes::NodeType* type = typeAt(session, user);
+  const nodes::SocketSpec* input = type ? socketOfType(*type, nodes::SocketType::Camera) : nullptr;
+  return input ? input->id : std::string();
+}
+
 std::string linkedCamera(const Session& session, const std::string& view) {
-  const std::string user = cameraUser(session, view);
-  const nodes::Graph& graph = session.document.root();
-  for (const nodes::Link& link : graph.links) {
-    if (link.toNode != user || link.muted) continue;
-    const nodes::Node* source = nodes::findNode(graph, link.fromNode);
-    const nodes::NodeType* type = source ? nodes::findNodeType(source->type) : nullptr;
-    const int output = type ? type->outputIndex(link.fromSocket) : -1;
+  const std::string user = cameraUser(session, view), input = cameraInput(session, user);
+  if (input.empty()) return {};
+  for (const nodes::SocketAt& from : nodes::sourcesOf(session.document.root(), user, input)) {
+    const nodes::NodeType* type = typeAt(session, from.node);
+    const int output = type ? type->outputIndex(from.socket) : -1;
     if (output >= 0 && type->outputs[static_cast<std::size_t>(output)].type == nodes::SocketType::Camera &&
         type->param("eye") && type->param("target"))
-      return link.fromNode;
+      return from.node;
   }
   return {};
 }
@@ -137,7 +143,7 @@ scene::Camera currentCamera(const Session& session, const Clock& clock, const Sh
     if (shown.freeCamera) return *shown.freeCamera;
     return scene::frameBounds(volumeBounds(session, shown, cameraUser(session, view)), aspect(session));
   }
-  const nodes::Node& node = *nodes::findNode(session.document.root(), name);
+  const nodes::Node& node = *nodes::findNodeAt(session.document.root(), name);
   const nodes::NodeType& type = *nodes::findNodeType(node.type);
   scene::Camera camera;
   const auto vector = [&](const char* id, dvec3& out) {
@@ -175,7 +181,7 @@ void moveCamera(Messages& messages, Session& session, Clock& clock, Shown& shown
   shown.preview.touch();
   const double scale = glm::length(camera.eye - camera.target);
   const scene::Camera now = currentCamera(session, clock, shown);
-  holdFrame(clock, *nodes::findNode(session.document.root(), name));
+  holdFrame(clock, *nodes::findNodeAt(session.document.root(), name));
   Result<nodes::Graph> graph = session.document.root();
   // What stays as it is, but for rounding, gets no key.
   const auto moved = [&](const dvec3& a, const dvec3& b) { return glm::length(a - b) > 1e-9 * scale; };

@@ -1,6 +1,6 @@
 #pragma once
 // Which output the viewport shows, and the camera that makes its picture: a linked camera node (edited as
-// undo steps) or the free camera.
+// undo steps) or the free camera. Nodes are given by their paths: they may be in groups.
 #include <string>
 
 #include "renderer/scene/camera.h"
@@ -20,6 +20,8 @@ std::string shownView(const Session& session, const Shown& shown);
 std::string displayNode(const Session& session, const Shown& shown);
 /// The node whose picture the view shows (nearest upstream with a camera input); "" = none.
 std::string cameraUser(const Session& session, const std::string& view);
+/// Its input for a camera; "" = it has none.
+std::string cameraInput(const Session& session, const std::string& user);
 /// The camera node linked to it; "" = none: the free camera.
 std::string linkedCamera(const Session& session, const std::string& view);
 /// The camera the picture is made with now.

@@ -22,11 +22,8 @@ struct Found {
 };
 
 Found find(const nodes::Graph& root, const std::string& path) {
-  std::vector<std::string> scope;
-  std::size_t begin = 0;
-  for (std::size_t slash; (slash = path.find('/', begin)) != std::string::npos; begin = slash + 1)
-    scope.push_back(path.substr(begin, slash - begin));
-  Found found{nodes::graphAt(root, scope), path.substr(begin), path.substr(0, begin)};
+  const nodes::NodeAt at = nodes::nodeAt(path);
+  Found found{nodes::graphAt(root, at.scope), at.name, at.path("")};
   const nodes::Node* node = found.graph ? nodes::findNode(*found.graph, found.name) : nullptr;
   if (!node) return {};
   found.type = nodes::findNodeType(node->type);

@@ -80,7 +80,7 @@ bool wideButton(Ui& ui, const char* icon, const char* label, const char* trace, 
   const Theme& theme = ui.theme;
   if (primary) {
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kAccentHover);
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0, 0.5f});
   const bool pressed = ImGui::Button(fmt::format("  {}   {}", icon, label).c_str(), {-1, theme.px(34)});

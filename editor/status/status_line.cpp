@@ -117,20 +117,45 @@ float drawCounts(Ui& ui, LogPanel& logPanel, ImVec2 min, ImVec2 max) {
   return x;
 }
 
-void drawMessage(Ui& ui, ImVec2 min, ImVec2 max, float right) {
-  const Theme& theme = ui.theme;
-  if (!ui.messages.lineVisible()) return;
-  const bool hint = ui.messages.lineLevel() == log::Level::Warning;
-  std::string text = ui.messages.line();
+/// The message; "" = none is to be shown.
+std::string messageText(const Messages& messages) {
+  if (!messages.lineVisible()) return {};
+  std::string text = messages.line();
   std::replace(text.begin(), text.end(), '\n', ' ');
-  if (hint) text = std::string(icon::kWarning) + "  " + text;
-  const float width =
-      drawText(ImGui::GetWindowDrawList(), theme.small,
-               {min.x + theme.space(2), 0.5f * (min.y + max.y - theme.small->FontSize)},
-               hint ? palette::kWarning : palette::kTextDim, text, right - min.x - theme.space(6));
-  if (ImGui::IsMouseHoveringRect(min, {min.x + theme.space(2) + width, max.y}) && ImGui::IsWindowHovered())
+  return messages.lineLevel() == log::Level::Warning ? std::string(icon::kWarning) + "  " + text : text;
+}
+
+void drawMessage(Ui& ui, const std::string& text, ImVec2 min, ImVec2 max, float room) {
+  const Theme& theme = ui.theme;
+  if (text.empty()) return;
+  const bool hint = ui.messages.lineLevel() == log::Level::Warning;
+  const float width = drawText(ImGui::GetWindowDrawList(), theme.small,
+                               {min.x, 0.5f * (min.y + max.y - theme.small->FontSize)},
+                               hint ? palette::kWarning : palette::kTextDim, text, room);
+  if (ImGui::IsMouseHoveringRect(min, {min.x + width, max.y}) && ImGui::IsWindowHovered())
     tooltip(theme, ui.messages.line());
   ui.trace.note("status", ui.messages.line());
+}
+
+/// The figures at the right, as many as there is room for, each whole: the picture first, the slowest nodes
+/// before the faster ones, and last the time of a frame. `used`: their width.
+std::string figures(const StatusRoom& room, const std::vector<NodeTime>& times, float width, float& used) {
+  constexpr const char* kGap = "   ";
+  ImFont* font = room.ui.theme.small;
+  std::string text = playText(room.session, room.clock);
+  const std::string picture = pictureText(room.shown), frame = "frame " + ms(room.ui.now.frameMs);
+  const auto fits = [&](const std::string& more) { return textWidth(font, more) <= width; };
+  std::string end = fits(text + picture) ? picture : std::string();
+  if (const std::string both = end.empty() ? frame : end + kGap + frame; fits(text + both)) end = both;
+  for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i) {
+    const std::string next = times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + kGap;
+    if (!fits(text + next + end)) break;
+    text += next;
+  }
+  text += end;
+  while (text.ends_with(' ')) text.pop_back();
+  used = textWidth(font, text);
+  return text;
 }
 
 void timesTooltip(const Theme& theme, const std::vector<NodeTime>& times) {
@@ -163,21 +188,24 @@ void drawStatusLine(const StatusRoom& room, ImVec2 min, ImVec2 max) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(min, max, palette::kBar);
   const std::vector<NodeTime> times = nodeTimes(room.session, room.shown);
-  std::string text = playText(room.session, room.clock);
-  for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 3); ++i)
-    text += times[i].name + " " + ms(times[i].cpuMs + times[i].gpuMs) + "   ";
-  text += pictureText(room.shown) + "   frame " + ms(room.ui.now.frameMs);
-  const float width = textWidth(theme.small, text),
-              right = std::max(max.x - theme.space(3) - width, min.x + (max.x - min.x) * 0.35f);
-  const float used = drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)},
-                              palette::kTextDim, text, max.x - right - theme.space(3) + 1);
-  if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && !times.empty())
+  const float left = drawCounts(room.ui, room.logPanel, min, max) + theme.space(2);
+  // A message goes before the figures: they keep what it leaves, and a third of the line.
+  const std::string message = messageText(room.ui.messages);
+  const float whole = max.x - theme.space(3) - left, gap = theme.space(6);
+  const float wanted = room.exporter.active() ? theme.px(420) : textWidth(theme.small, message);
+  const float rest = whole - (wanted > 0 ? wanted + gap : 0);
+  float used = 0;
+  const std::string text = figures(room, times, std::max(rest, whole / 3), used);
+  const float right = max.x - theme.space(3) - used;
+  drawText(draw, theme.small, {right, 0.5f * (min.y + max.y - theme.small->FontSize)}, palette::kTextDim,
+           text, used + 1);
+  if (ImGui::IsMouseHoveringRect({right, min.y}, {right + used, max.y}) && ImGui::IsWindowHovered() &&
+      !times.empty())
     timesTooltip(room.ui.theme, times);
-  const float left = drawCounts(room.ui, room.logPanel, min, max);
   if (room.exporter.active())
-    drawExport(room.ui, room.exporter, {left, min.y}, {right, max.y});
+    drawExport(room.ui, room.exporter, {left - theme.space(2), min.y}, {right, max.y});
   else
-    drawMessage(room.ui, {left, min.y}, max, right);
+    drawMessage(room.ui, message, {left, min.y}, max, right - left - (text.empty() ? 0 : gap));
   room.ui.trace.rect("status", min, max);
 }
 

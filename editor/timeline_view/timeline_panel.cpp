@@ -92,12 +92,13 @@ void transport(const TimelineRoom& room) {
     goToEnd(room.session, room.clock, 1);
 }
 
-/// A label and a number after it; the cursor stays on the line.
-NumberEdit labelled(Ui& ui, const Timeline& timeline, const char* id, const char* label, double& value,
-                    const NumberField& field, float width, const char* help) {
+/// A label and a number after it; the cursor stays on the line. Nothing where it would end beyond `right`.
+NumberEdit labelled(Ui& ui, const Timeline& timeline, float right, const char* id, const char* label,
+                    double& value, const NumberField& field, float width, const char* help) {
   const Theme& theme = ui.theme;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float name = textWidth(theme.small, label);
+  if (at.x + name + theme.space(1.5f) + theme.px(width) > right) return {};
   drawText(ImGui::GetWindowDrawList(), theme.small,
            {at.x, at.y + 0.5f * (ImGui::GetFrameHeight() - theme.small->FontSize)}, palette::kTextDim, label,
            name + 1);
@@ -131,23 +132,24 @@ NumberField frameField() {
   return field;
 }
 
-void fields(const TimelineRoom& room) {
+/// As many as there is room for; the document's panel has all of them.
+void fields(const TimelineRoom& room, float right) {
   const nodes::Graph& graph = room.session.document.graph();
   const ivec2 range = graph.settings.frames;
   double frame = room.clock.frame;
-  if (labelled(room.ui, room.timeline, "frame", "Frame", frame, frameField(), 66,
+  if (labelled(room.ui, room.timeline, right, "frame", "Frame", frame, frameField(), 66,
                "The current frame (, and . step)")
           .changed)
     goToFrame(room.clock, static_cast<int>(frame));
   double first = range.x;
-  const NumberEdit start =
-      labelled(room.ui, room.timeline, "start", "First", first, frameField(), 66, "First frame of the range");
+  const NumberEdit start = labelled(room.ui, room.timeline, right, "start", "First", first, frameField(), 66,
+                                    "First frame of the range");
   const int x = static_cast<int>(first);
   applySetting(room.ui, room.session, room.timeline, start,
                nodes::setFrameRange(graph, {x, std::max(x, range.y)}), "Set first frame");
   double last = range.y;
-  const NumberEdit end =
-      labelled(room.ui, room.timeline, "end", "Last", last, frameField(), 66, "Last frame of the range");
+  const NumberEdit end = labelled(room.ui, room.timeline, right, "end", "Last", last, frameField(), 66,
+                                  "Last frame of the range");
   const int y = static_cast<int>(last);
   applySetting(room.ui, room.session, room.timeline, end,
                nodes::setFrameRange(room.session.document.graph(), {std::min(range.x, y), y}),
@@ -156,7 +158,8 @@ void fields(const TimelineRoom& room) {
   NumberField speed;
   speed.softMin = 1, speed.softMax = 120, speed.hardMin = 0.01, speed.hardMax = 1000;
   speed.unit = "fps";
-  const NumberEdit rate = labelled(room.ui, room.timeline, "fps", "Speed", fps, speed, 84, "Frames a second");
+  const NumberEdit rate =
+      labelled(room.ui, room.timeline, right, "fps", "Speed", fps, speed, 84, "Frames a second");
   applySetting(room.ui, room.session, room.timeline, rate, nodes::setFps(room.session.document.graph(), fps),
                "Set frame rate");
 }
@@ -173,7 +176,7 @@ void drawTimeline(const TimelineRoom& room, ImVec2 min, ImVec2 max) {
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + 0.5f * (bar - ImGui::GetFrameHeight())});
   transport(room);
   ImGui::SameLine(0, theme.space(4));
-  fields(room);
+  fields(room, max.x - bar - theme.space(2));
   ImGui::SetCursorScreenPos({max.x - bar, min.y});
   if (ImGui::InvisibleButton("timeline close", {bar, bar})) room.settings.showTimeline = false;
   room.ui.trace.item("timeline/close");

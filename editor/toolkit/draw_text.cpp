@@ -1,5 +1,6 @@
 #include "editor/toolkit/draw_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pileus::editor {
@@ -11,6 +12,33 @@ constexpr std::string_view kEllipsis = "\xe2\x80\xa6";
 
 float textWidth(ImFont* font, std::string_view text) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+}
+
+std::vector<std::string_view> linesOf(ImFont* font, std::string_view text, float width, int most) {
+  std::vector<std::string_view> lines;
+  while (static_cast<int>(lines.size()) + 1 < most && !text.empty()) {
+    const char* end = text.data() + text.size();
+    const char* cut = font->CalcWordWrapPositionA(1, text.data(), end, width);
+    if (cut == end) break;
+    lines.push_back(text.substr(0, static_cast<std::size_t>(cut - text.data())));
+    text.remove_prefix(lines.back().size());
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  lines.push_back(text);
+  return lines;
+}
+
+CutTexts* cutTexts() { return static_cast<CutTexts*>(ImGui::GetIO().UserData); }
+
+void noteCut(vec2 min, vec2 max, std::string_view whole) {
+  CutTexts* cut = cutTexts();
+  if (cut && cut->all) cut->texts.emplace_back(whole);
+  noteHidden(min, max, whole);
+}
+
+void noteHidden(vec2 min, vec2 max, std::string_view whole) {
+  CutTexts* cut = cutTexts();
+  if (cut && ImGui::IsMouseHoveringRect(im(min), im(max)) && ImGui::IsWindowHovered()) cut->under = whole;
 }
 
 std::string endOfPath(ImFont* font, const std::string& path, float width) {
@@ -36,6 +64,7 @@ float drawText(ImDrawList* draw, ImFont* font, vec2 at, ImU32 color, std::string
     return full;
   }
   const float dots = textWidth(font, kEllipsis);
+  noteCut(vec(where), {where.x + std::max(width, dots), where.y + font->FontSize}, text);
   if (width < dots) return 0;
   const char* cut = nullptr;
   const float part =

@@ -70,6 +70,8 @@ void FileBrowser::drawTop(Ui& ui, Settings& settings) {
   editor::drawText(ImGui::GetWindowDrawList(), theme.body,
                    {at.x, at.y + 0.5f * (ImGui::GetFrameHeight() - theme.body->FontSize)}, palette::kTextDim,
                    endOfPath(theme.body, folder_.string(), room), room);
+  if (textWidth(theme.body, folder_.string()) > room)
+    noteCut(vec(at), {at.x + room, at.y + ImGui::GetFrameHeight()}, folder_.string());
   ImGui::SetCursorScreenPos({at.x + room + theme.space(3), at.y});
   ImGui::SetNextItemWidth(search);
   if (focusFilter_) ui.fields.focusHere();

@@ -93,4 +93,12 @@ double softShare(double value, const NumberRange& r) {
   return std::clamp(t, 0.0, 1.0);
 }
 
+FieldRows fieldRows(float height, float fontSize, float scale) {
+  FieldRows rows;
+  rows.text = std::round(0.5f * (height - fontSize));
+  rows.barEnd = height;
+  rows.barTop = height - std::max(std::min(std::round(3 * scale), height - rows.text - fontSize), 1.0f);
+  return rows;
+}
+
 }  // namespace pileus::editor

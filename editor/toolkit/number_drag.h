@@ -25,4 +25,12 @@ double steppedValue(double value, int steps, const NumberRange& range, bool fine
 /// Where a value stands in the soft range, 0..1.
 double softShare(double value, const NumberRange& range);
 
+/// Rows of a number's field, in pixels from its upper edge: the text, and below it a bar as long as the value
+/// is large. Nothing is ever behind the text but the field.
+struct FieldRows {
+  float text = 0;  ///< top of a line of that size
+  float barTop = 0, barEnd = 0;
+};
+FieldRows fieldRows(float height, float fontSize, float scale);
+
 }  // namespace pileus::editor

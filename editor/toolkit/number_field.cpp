@@ -157,12 +157,16 @@ void drawField(const Theme& theme, ImVec2 lo, ImVec2 hi, double value, const Num
                                : palette::kField,
                       r);
   if (f.hasSoft() && !f.mixed && !f.locked) {
-    const float x = lo.x + (hi.x - lo.x) * static_cast<float>(softShare(value, f));
-    if (x > lo.x + 1) {
-      draw->PushClipRect(lo, {x, hi.y}, true);
-      draw->AddRectFilled(lo, hi, lit ? palette::kFieldFillHover : palette::kFieldFill, r);
+    const FieldRows rows = fieldRows(hi.y - lo.y, theme.body->FontSize, theme.scale);
+    const float x = std::round(lo.x + (hi.x - lo.x) * static_cast<float>(softShare(value, f)));
+    const auto bar = [&](float from, float to, ImU32 ink) {  // within the field's rounded corners
+      if (to <= from) return;
+      draw->PushClipRect({from, lo.y + rows.barTop}, {to, lo.y + rows.barEnd}, true);
+      draw->AddRectFilled(lo, hi, ink, r);
       draw->PopClipRect();
-    }
+    };
+    bar(x, hi.x, palette::kFieldTrack);
+    bar(lo.x, x, lit ? palette::kAccent : palette::kFieldBar);
   }
   if (f.mark)
     draw->AddRectFilled({lo.x, lo.y + theme.px(5)}, {lo.x + theme.px(2), hi.y - theme.px(5)}, f.mark,

@@ -20,7 +20,7 @@ int drawAnswers(Ui& ui, const Question& question) {
     const bool primary = i == 0;
     if (primary) {
       ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccentDim);
-      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kFieldFillHover);
+      ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::kAccentHover);
     }
     const char* label = question.answers[i].label.c_str();
     const float width = std::max(ui.theme.px(112), ImGui::CalcTextSize(label).x + ui.theme.space(6));

@@ -5,10 +5,14 @@
 
 namespace pileus::editor {
 
+float segmentWidth(const Theme& theme, std::string_view label) {
+  return textWidth(theme.body, label) + 2 * theme.space(3);
+}
+
 bool segment(Ui& ui, const std::string& trace, std::string_view label, std::string_view help, bool on,
              bool first, bool last) {
   const Theme& theme = ui.theme;
-  const float width = textWidth(theme.body, label) + 2 * theme.space(3), height = ImGui::GetFrameHeight();
+  const float width = segmentWidth(theme, label), height = ImGui::GetFrameHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos(), end = {at.x + width, at.y + height};
   const bool clicked = ImGui::InvisibleButton(trace.c_str(), {width, height});
   const bool hovered = ImGui::IsItemHovered();

@@ -1,24 +1,54 @@
 #pragma once
 // A row of exclusive choices, drawn as one control.
+#include <algorithm>
 #include <string>
 
 #include "editor/toolkit/draw_text.h"
+#include "editor/toolkit/ui.h"
 #include "editor/toolkit/widgets.h"
 #include "renderer/base/enum_info.h"
 
 namespace pileus::editor {
 
-struct Ui;
-
 /// One segment at the cursor, which moves on; true if clicked. `first` and `last` round their outer corners.
 bool segment(Ui& ui, const std::string& trace, std::string_view label, std::string_view help, bool on,
              bool first, bool last);
 
-/// Segments for all values of an enum; true if `value` changed. Traced as "PREFIX/id".
+/// Of one segment.
+float segmentWidth(const Theme& theme, std::string_view label);
+/// Of all that an enum has.
 template <DescribedEnum E>
-bool segments(Ui& ui, const std::string& prefix, E& value) {
+float segmentsWidth(const Theme& theme, E) {
+  float width = 0;
+  for (const auto& item : enumInfo(static_cast<E*>(nullptr))) width += segmentWidth(theme, item.label) + 1;
+  return width;
+}
+
+/// Segments for all values of an enum; true if `value` changed. Traced as "PREFIX/id". `narrow`: there is no
+/// room for them; a list has them, traced as PREFIX.
+template <DescribedEnum E>
+bool segments(Ui& ui, const std::string& prefix, E& value, bool narrow = false) {
   constexpr auto items = enumInfo(static_cast<E*>(nullptr));
   bool changed = false;
+  if (narrow) {
+    std::string shown;
+    float width = 0;
+    for (const auto& item : items) {
+      if (item.value == value) shown = item.label;
+      width = std::max(width, segmentWidth(ui.theme, item.label));
+    }
+    const bool open = beginCombo(ui.theme, ("##" + prefix).c_str(), shown, width + ui.theme.px(20));
+    ui.trace.item(prefix);
+    if (!open) return false;
+    for (const auto& item : items) {
+      if (ImGui::Selectable(std::string(item.label).c_str(), item.value == value))
+        changed = value != item.value, value = item.value;
+      ui.trace.item(prefix + "/" + std::string(item.id));
+      if (ImGui::IsItemHovered()) tooltip(ui.theme, item.help);
+    }
+    ImGui::EndCombo();
+    return changed;
+  }
   ImGui::PushID(prefix.c_str());
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, 1);

@@ -8,8 +8,10 @@
 #include "editor/exchange/messages.h"
 #include "editor/exchange/panel.h"
 #include "editor/exchange/requests.h"
+#include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/fields.h"
 #include "editor/toolkit/modals.h"
+#include "editor/toolkit/pointer_rest.h"
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui_trace.h"
 
@@ -26,6 +28,8 @@ struct FrameState {
   float uiScale = 0;                ///< chosen for this session; 0: the screen's
   double uiMs = 0;     ///< CPU time of the last interface alone, new frame to draw data, traces left out
   double frameMs = 0;  ///< of the last frame drawn, evaluation included
+  CutTexts cut;        ///< texts without room
+  PointerRest rest;    ///< over any of the window, for those
 };
 
 /// A command of the table as a menu shows it.

@@ -21,6 +21,7 @@ bool beginCombo(const Theme& theme, const char* id, std::string_view shown, floa
 }
 
 void tooltip(const Theme& theme, std::string_view text, ImU32 ink) {
+  if (CutTexts* cut = cutTexts()) cut->told += text;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme.px(360));
   ImGui::PushStyleColor(ImGuiCol_Text, ink);
@@ -28,6 +29,14 @@ void tooltip(const Theme& theme, std::string_view text, ImU32 ink) {
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+std::string tellCutText(const Theme& theme) {
+  const CutTexts* cut = cutTexts();
+  if (!cut || cut->under.empty() || cut->told.find(cut->under) != std::string::npos) return {};
+  const std::string text = cut->under;
+  tooltip(theme, text);
+  return text;
 }
 
 }  // namespace pileus::editor

@@ -15,5 +15,8 @@ struct Theme;
 bool beginCombo(const Theme& theme, const char* id, std::string_view shown, float width);
 /// A wrapped tooltip.
 void tooltip(const Theme& theme, std::string_view text, ImU32 ink = palette::kText);
+/// After everything was drawn: the whole of a text below the pointer that was cut, unless a tooltip says it.
+/// Returns what it says; "" = nothing.
+std::string tellCutText(const Theme& theme);
 
 }  // namespace pileus::editor

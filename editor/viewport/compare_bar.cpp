@@ -70,13 +70,19 @@ void drawCompareBar(Ui& ui, Shown& shown, ImVec2 min, ImVec2 max) {
   draw->AddRectFilled(min, max, palette::kPanel);
   draw->AddLine(min, {max.x, min.y}, palette::kLine);
   ImGui::SetCursorScreenPos({min.x + theme.space(2), min.y + theme.px(5)});
+  // In a small panel the choices are lists.
+  const float wanted =
+      segmentsWidth(theme, mode.layout) + segmentsWidth(theme, mode.of) + theme.space(8) +
+      (mode.of == CompareOf::Radiance ? segmentsWidth(theme, mode.against) + theme.space(3) : 0) +
+      (mode.layout == CompareLayout::Error ? theme.px(190) : 0);
+  const bool narrow = wanted > max.x - min.x - (max.y - min.y);
   ImGui::BeginGroup();
-  segments(ui, "compare", mode.layout);
+  segments(ui, "compare", mode.layout, narrow);
   ImGui::SameLine(0, theme.space(3));
-  segments(ui, "compare/of", mode.of);
+  segments(ui, "compare/of", mode.of, narrow);
   if (mode.of == CompareOf::Radiance) {
     ImGui::SameLine(0, theme.space(3));
-    segments(ui, "compare/against", mode.against);
+    segments(ui, "compare/against", mode.against, narrow);
   }
   if (mode.layout == CompareLayout::Error) {
     ImGui::SameLine(0, theme.space(4));

@@ -247,8 +247,12 @@ void drawCompareFigures(Ui& ui, const Shown& shown, vec2 lo, vec2 hi) {
     put(head, palette::kText, theme.space(2));
     for (const auto& [name, value] :
          {std::pair("mean", e.mean), std::pair("95 %", e.p95), std::pair("max", e.maximum)}) {
+      const std::string text = known ? figure(value) : "\xe2\x80\xa6";
+      // A name without its figure says nothing.
+      if (from.x + textWidth(theme.small, name) + theme.px(5) + textWidth(theme.small, text) > to.x)
+        from.x = to.x + 1;
       put(name, palette::kTextFaint, theme.px(5));
-      put(known ? figure(value) : "\xe2\x80\xa6", palette::kText, theme.space(2));
+      put(text, palette::kText, theme.space(2));
     }
     from.x += theme.space(4);
   };

@@ -13,6 +13,7 @@
 #include "editor/viewport/corner_widgets.h"
 #include "editor/viewport/handles/gizmo_tool.h"
 #include "editor/viewport/handles/shadow_place.h"
+#include "editor/viewport/handles/turn_light.h"
 #include "editor/viewport/overlays.h"
 #include "editor/viewport/viewport.h"
 #include "editor/viewport/viewport_room.h"
@@ -56,7 +57,10 @@ void continueMove(const ViewportRoom& room, const Projection& view) {
   const dvec2 moved = fine * dvec2(vec(io.MouseDelta)) / static_cast<double>(view.max().y - view.min().y);
   if (moved != dvec2(0) && !tools.maybeClick) {
     const scene::Camera camera = currentCamera(room.session, room.clock, room.shown);
-    if (viewport.drag == Drag::Orbit) {
+    if (viewport.drag == Drag::Turn) {
+      // What is seen behind goes with the pointer: to the right is a smaller azimuth.
+      continueTurn(room, (view.up().y < 0 ? 180 : -180) * moved.x, io.KeyCtrl);
+    } else if (viewport.drag == Drag::Orbit) {
       if (!tools.turning) tools.pivot = orbitPivot(room.session, room.shown, view, camera, tools.pressedAt);
       tools.turning = true;
       setCamera(room.ui.messages, room.session, room.clock, room.shown,
@@ -87,7 +91,7 @@ void continueMove(const ViewportRoom& room, const Projection& view) {
   }
   viewport.drag = Drag::None;
   tools.maybeClick = false;
-  room.session.document.endMerge();
+  endTurn(room.session, viewport);
 }
 
 /// A button goes down over the picture.
@@ -107,6 +111,9 @@ void press(const ViewportRoom& room, const Projection& view, int button) {
                   : choice.move == CameraMove::Pan   ? Drag::Pan
                   : choice.move == CameraMove::Dolly ? Drag::Dolly
                                                      : Drag::None;
+  // Handles go before it, the camera after it.
+  if (button == 0 && choice.plain && room.shown.look.light.empty() && beginTurn(room))
+    viewport.drag = Drag::Turn;
   tools.maybeClick = button == 0 && choice.plain;
   tools.usesShift = choice.usesShift;
   tools.turning = false;
@@ -144,6 +151,7 @@ void drawViewportTools(const ViewportRoom& room, bool hovered) {
       ImGui::PopClipRect();
     }
   }
+  drawTurn(room);
   const auto [lo, hi] = shownCorners(room.shown);
   if (room.settings.view.overlays.on) drawAxisCross(room, Projection(camera, lo, hi), hovered);
   drawToolStrip(room.ui, room.settings, room.viewport, lo, hi, hovered);
@@ -168,6 +176,8 @@ void routeViewportPointer(const ViewportRoom& room, vec2 min, vec2 max, bool hov
         tools.over =
             gizmoAt(gizmoShapes(*frame, view, room.ui.theme.px(1)), vec(io.MousePos), room.ui.theme.px(7));
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) followShadowPlace(room, view, vec(io.MousePos));
+    if (!tools.over && !io.KeyAlt && room.shown.look.light.empty() && hasPicture(room.shown))
+      hintAtTurn(room);
     for (const int button : {0, 2, 1})
       if (ImGui::IsMouseClicked(button)) {
         press(room, view, button);
@@ -190,11 +200,14 @@ void routeViewportPointer(const ViewportRoom& room, vec2 min, vec2 max, bool hov
   }
 }
 
-bool viewportHoldsKeys(const Viewport& viewport) { return viewport.tools.drag.has_value(); }
+bool viewportHoldsKeys(const Viewport& viewport) {
+  return viewport.tools.drag.has_value() || viewport.tools.turn.has_value();
+}
 
 bool escapeViewport(Session& session, Shown& shown, Viewport& viewport) {
   ViewportTools& tools = viewport.tools;
   if (tools.drag) return cancelGizmoDrag(session, viewport), true;
+  if (tools.turn) return cancelTurn(session, viewport), true;
   if (tools.place.stage != ShadowPlace::Stage::Off) return cancelShadowPlace(session, viewport), true;
   if (!shown.look.light.empty()) return leaveLightView(session, shown), true;
   return false;

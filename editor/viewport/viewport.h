@@ -16,7 +16,7 @@ struct Shown;
 struct ViewportRoom;
 
 struct Viewport {
-  enum class Drag { None, Orbit, Pan, Dolly } drag = Drag::None;
+  enum class Drag { None, Orbit, Pan, Dolly, Turn } drag = Drag::None;
   ViewportTools tools;
   bool wheelEdit = false;  ///< wheel notches merge into one undo step until they rest
   double wheelAt = 0;      ///< ImGui time of the last notch

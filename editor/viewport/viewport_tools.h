@@ -6,6 +6,7 @@
 
 #include "editor/picture/view_scene.h"
 #include "editor/viewport/handles/gizmo.h"
+#include "editor/viewport/handles/turn_light.h"
 
 namespace pileus::editor {
 
@@ -35,6 +36,8 @@ struct ViewportTools {
   nodes::Graph before;
   vec2 pointer{0};  ///< moves slower than the real one with Shift
   std::string readout;
+  std::optional<TurnDrag> turn;  ///< light from everywhere that is being turned
+  std::string turnHint;          ///< the node that the status line said can be
   // A camera move.
   bool maybeClick = false, usesShift = false, turning = false;
   vec2 pressedAt{0};

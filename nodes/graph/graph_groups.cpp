@@ -1,7 +1,11 @@
 // Groups as graphs within graphs: their sockets, and putting a changed one back.
 #include "nodes/graph/graph_groups.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "nodes/graph/graph_change.h"
+#include "nodes/graph/graph_sockets.h"
 
 namespace pileus::nodes {
 namespace {
@@ -29,7 +33,65 @@ std::string followed(const Graph& before, const Graph& after, const std::string&
   return "";
 }
 
+/// `into`: an input of a node in the graph at `scope`; "": any of them.
+void follow(const Graph& root, const NodeAt& to, const std::string& into, std::set<std::string>& seen,
+            std::vector<SocketAt>& out) {
+  const Graph* graph = graphAt(root, to.scope);
+  if (!graph || !seen.insert(to.path(to.name) + "." + into).second) return;
+  for (const Link& link : graph->links) {
+    if (link.toNode != to.name || link.muted || (!into.empty() && link.toSocket != into)) continue;
+    const Node* from = findNode(*graph, link.fromNode);
+    if (!from || from->disabled) continue;
+    NodeAt at{to.scope, link.fromNode};
+    if (from->group) {
+      if (from->bypass) continue;
+      at.scope.push_back(std::exchange(at.name, link.fromSocket));
+      follow(root, at, "in", seen, out);
+    } else if (from->type == "group.input") {
+      if (at.scope.empty()) continue;
+      const std::string socket = std::exchange(at.name, at.scope.back());
+      at.scope.pop_back();
+      follow(root, at, socket, seen, out);
+    } else if (passesThrough(from->type)) {
+      follow(root, at, "in", seen, out);
+    } else {
+      out.push_back({at.path(at.name), link.fromSocket});
+    }
+  }
+}
+
 }  // namespace
+
+std::string NodeAt::path(const std::string& other) const {
+  std::string out;
+  for (const std::string& group : scope) out += group + "/";
+  return out + other;
+}
+
+NodeAt nodeAt(const std::string& path) {
+  NodeAt at;
+  std::size_t begin = 0;
+  for (std::size_t slash; (slash = path.find('/', begin)) != std::string::npos; begin = slash + 1)
+    at.scope.push_back(path.substr(begin, slash - begin));
+  at.name = path.substr(begin);
+  return at;
+}
+
+std::vector<SocketAt> sourcesOf(const Graph& root, const std::string& node, const std::string& input) {
+  std::vector<SocketAt> out;
+  std::set<std::string> seen;
+  follow(root, nodeAt(node), input, seen, out);
+  return out;
+}
+
+Result<Graph> unlinked(const Graph& root, const std::string& node, const std::string& input) {
+  const NodeAt at = nodeAt(node);
+  const Graph* graph = graphAt(root, at.scope);
+  if (!graph) return fail(Code::Arguments, "there is no node '{}'", node);
+  Graph without = *graph;
+  std::erase_if(without.links, [&](const Link& l) { return l.toNode == at.name && l.toSocket == input; });
+  return withGraphAt(root, at.scope, std::move(without));
+}
 
 const Graph* groupGraph(const Graph& graph, const std::string& name) {
   const Node* node = findNode(graph, name);

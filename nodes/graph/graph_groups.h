@@ -23,6 +23,26 @@ const Graph* graphAt(const Graph& root, std::span<const std::string> scope);
 /// nodes follow.
 Result<Graph> withGraphAt(const Graph& root, std::span<const std::string> scope, Graph inner);
 
+/// A path as the groups it leads through and the node's name there.
+struct NodeAt {
+  std::vector<std::string> scope;
+  std::string name;
+  std::string path(const std::string& other) const;  ///< of another node of that graph
+};
+NodeAt nodeAt(const std::string& path);
+
+/// A socket of a node given by its path.
+struct SocketAt {
+  std::string node, socket;
+  bool operator==(const SocketAt&) const = default;
+};
+/// Where what arrives at an input comes from, through groups, their sockets and dots; in the order of the
+/// links. Without muted links, nodes that are off, and what a bypassed group passes on. An empty `input`: at
+/// any of the node's.
+std::vector<SocketAt> sourcesOf(const Graph& root, const std::string& node, const std::string& input);
+/// Without the links into that input.
+Result<Graph> unlinked(const Graph& root, const std::string& node, const std::string& input);
+
 /// The sockets of a group's graph, as names of its nodes in their order.
 std::vector<std::string> groupInputs(const Graph& inner);
 std::vector<std::string> groupOutputs(const Graph& inner);

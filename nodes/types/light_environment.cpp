@@ -45,7 +45,10 @@ void describe(Describe<In, Out>& d) {
       .unit("deg")
       .range(-36000, 36000)
       .soft(-180, 180)
-      .help("Added to every azimuth: turns it about the vertical.");
+      .help(
+          "Added to every azimuth: turns it about the vertical. A drag sideways over the picture does so "
+          "while "
+          "this node is selected.");
   d.in("exposure", &In::exposure).unit("stops").range(-40, 40).soft(-8, 8).help("Twice as bright for each.");
   d.in("tint", &In::tint)
       .range(0, 1e6)

@@ -37,7 +37,9 @@ void describe(Describe<In, Out>& d) {
       .unit("deg")
       .range(-36000, 36000)
       .soft(-180, 180)
-      .help("Of the sun, from +Z towards +X.");
+      .help(
+          "Of the sun, from +Z towards +X. A drag sideways over the picture turns it while this node is "
+          "selected.");
   d.in("elevation", &In::elevation)
       .unit("deg")
       .range(-90, 90)

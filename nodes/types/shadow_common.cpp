@@ -15,9 +15,15 @@ Result<std::vector<scene::Light>> lightsOf(const LightValue& value) {
   return out;
 }
 
+int draftTexelsOf(int resolution, int draftTexels) {
+  constexpr int kUsual = 384, kLeast = 24;  // what maps begin with; what still tells where light comes from
+  const int share = resolution < kUsual ? draftTexels * resolution / kUsual : draftTexels;
+  return std::min({resolution, draftTexels, std::max(share, kLeast)});
+}
+
 int draftResolution(int resolution, const EvalContext& ctx) {
   if (ctx.quality() == Quality::Final) return resolution;
-  if (ctx.draftTexels() > 0) return std::min(resolution, ctx.draftTexels());
+  if (ctx.draftTexels() > 0) return draftTexelsOf(resolution, ctx.draftTexels());
   return std::min(resolution, ctx.renderer() && ctx.renderer()->device().software ? 128 : 256);
 }
 

@@ -45,6 +45,9 @@ void describeShadowed(Describe<In, ShadowOut>& d) {
   d.out("light", &ShadowOut::light).help("The lights with this shadow.");
 }
 
+/// Of a draft's map: a map that is finer than they begin with has `draftTexels`, a coarser one fewer in
+/// proportion (environments have sixteen of them), neither more than its own.
+int draftTexelsOf(int resolution, int draftTexels);
 /// The lights of a value; their old shadows, if any, are left behind. Error (Input) for none.
 Result<std::vector<scene::Light>> lightsOf(const LightValue& value);
 /// What a draft makes of a map's resolution: at most 256 texels, 128 on a CPU.

@@ -388,6 +388,10 @@ TEST(Render, ASequenceNeedsTheMemoryOfOneFrame) {
   ASSERT_EQ(r.exitCode, 0) << r.err;
   const std::vector<double> resident = residentOf(folder / "s.json");
   ASSERT_EQ(resident.size(), std::size_t(frames));
+  if (std::getenv("PILEUS_ROWS"))
+    for (const std::size_t frame : {std::size_t(1), std::size_t(20), std::size_t(120), resident.size()})
+      if (frame <= resident.size())
+        std::printf("resident after frame %zu: %.1f MiB\n", frame, resident[frame - 1] / (1 << 20));
   // The allocator keeps some of what was freed; a frame's maps alone are 5 MiB.
   EXPECT_NEAR(resident.back() / resident[19], 1, 0.05)
       << resident[19] / (1 << 20) << " MiB, then " << resident.back() / (1 << 20);

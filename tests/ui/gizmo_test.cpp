@@ -307,5 +307,87 @@ TEST(Gizmo, HandlesReachIntoGroups) {
   EXPECT_TRUE(ui.waitRect("gizmo/sun_disc/0"));
 }
 
+/// Camera, light and render in a group, the camera in one of its own.
+constexpr char kShot[] = R"({
+  "pileus": 1,
+  "settings": { "size": [480, 270], "frames": [1, 10] },
+  "nodes": {
+    "Box": { "type": "volume.box", "at": [0, 0] },
+    "Shot": { "type": "group", "at": [260, 0], "graph": {
+      "nodes": {
+        "volume": { "type": "group.input", "at": [0, 0] },
+        "Rig": { "type": "group", "at": [0, 120], "graph": {
+          "nodes": {
+            "Camera": { "type": "camera.perspective", "at": [0, 0], "params": { "eye": [0.5, 0.8, 7],
+                        "fov": { "keys": [[1, 40, "linear"], [9, 50, "linear"]] } } },
+            "camera": { "type": "group.output", "at": [260, 0] } },
+          "links": [ "Camera.camera -> camera.in" ] } },
+        "Sun": { "type": "light.sun", "at": [0, 240], "params": { "azimuth": 40, "elevation": 35 } },
+        "Render": { "type": "render.volume", "at": [260, 0], "params": { "samples": 1 } },
+        "image": { "type": "group.output", "at": [520, 0] } },
+      "links": [ "volume.out -> Render.volumes", "Rig.camera -> Render.camera", "Sun.light -> Render.lights",
+                 "Render.image -> image.in" ] } },
+    "View": { "type": "output.view", "at": [780, 0] } },
+  "links": [ "Box.volume -> Shot.volume", "Shot.image -> View.image" ]
+})";
+
+TEST(Navigation, ACameraInAGroupIsTheOneThatIsLookedThrough) {
+  const std::filesystem::path path = scratchFolder() / "shot.json";
+  std::ofstream(path) << kShot;
+  UiSession ui({1380, 860}, {path.string()});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  ASSERT_TRUE(ui.waitFor(settled, 60)) << ui.log();
+  const auto camera = [](const json& t) {
+    return t["document"]["nodes"]["Shot"]["graph"]["nodes"]["Rig"]["graph"]["nodes"]["Camera"]["params"];
+  };
+  const json start = camera(ui.trace());
+  ui.screenshot("78-camera-in-group");
+  // Moves are edits of that node, not of a free camera.
+  const Point from = at(ui, 0.5, 0.15);
+  ui.drag(from, {from.x + 60, from.y});
+  ASSERT_TRUE(ui.waitFor([&](const json& t) {
+    return t["undo"] == "Orbit camera" && camera(t)["eye"] != start["eye"];
+  })) << ui.trace()["undo"];
+  EXPECT_EQ(camera(ui.trace())["fov"], start["fov"]) << "what did not move gets no key";
+  ui.key("ctrl+z");
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return camera(t) == start; }));
+  // Its volume is seen, picked and framed by its path.
+  ui.click(at(ui, 0.5, 0.55));
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Box"); })) << ui.trace()["selection"];
+
+  // The lock: looking around leaves it alone, and goes back.
+  ui.click("viewport/button/viewport.lock_camera");
+  ASSERT_TRUE(ui.waitFor([&](const json& t) { return camera(t).value("lock", false); }))
+      << camera(ui.trace());
+  const json locked = camera(ui.trace());
+  ui.drag(from, {from.x + 60, from.y});
+  ASSERT_TRUE(ui.waitFor(
+      [](const json& t) { return t["notes"].value("looking around", "") == "Shot/Rig/Camera" && settled(t); },
+      40))
+      << ui.trace()["notes"];
+  EXPECT_EQ(camera(ui.trace()), locked);
+  EXPECT_EQ(ui.trace()["error"], "");
+  ui.screenshot("79-around-group");
+  // From beside it, it has a handle.
+  ui.click("header/Shot");
+  ui.doubleClick(ui.center("header/Shot"));
+  ASSERT_TRUE(ui.waitRect("header/Rig"));
+  ui.doubleClick(ui.center("header/Rig"));
+  ASSERT_TRUE(ui.waitRect("header/Camera"));
+  ui.click("header/Camera");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Camera"); }));
+  ui.move(at(ui, 0.5, 0.9));
+  ui.key("BackSpace");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return !t["notes"].contains("looking around"); }));
+  // Its keys, by the timeline, in the group it was entered.
+  ui.key("alt+7");
+  ASSERT_TRUE(ui.waitRect("timeline"));
+  EXPECT_TRUE(ui.waitFor([](const json& t) {
+    for (const auto& [name, rect] : t["rects"].items())
+      if (name.starts_with("key/") && name.ends_with("Camera.fov/1")) return true;
+    return false;
+  })) << ui.trace()["rects"];
+}
+
 }  // namespace
 }  // namespace pileus::test

@@ -143,13 +143,13 @@ TEST(Start, AVolumeBecomesACloudInOneStep) {
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("smoke1"); }, 40))
       << ui.log();
   ASSERT_TRUE(ui.waitFor([](const json& t) { return t["notes"].contains("picture"); }, 60)) << ui.log();
-  ui.finishPicture();
   ui.screenshot("vdb-opened");
   const json t = ui.trace();
   EXPECT_EQ(t["error"], "");
   EXPECT_EQ(t["undo"], "Import smoke1.vdb");
   EXPECT_EQ(t["selection"], json{"smoke1"}) << "the volume, whose notes say what was guessed";
   EXPECT_NE(t["document"]["nodes"]["smoke1 Medium"]["params"]["extinction"], nullptr);
+  EXPECT_TRUE(t["document"]["nodes"].contains("Sky")) << "it is lit by a sky";
   ui.move(ui.emptySpot());
   ui.key("ctrl+z");
   EXPECT_TRUE(ui.waitFor([](const json& now) { return now["document"]["nodes"].empty(); })) << "one step";

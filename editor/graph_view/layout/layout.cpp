@@ -7,7 +7,7 @@
 namespace pileus::editor {
 namespace {
 
-constexpr float kMapPicture = 88, kImagePicture = 97;
+constexpr float kMapPicture = 88, kImagePicture = 97, kEnvironmentPicture = 86;  // height
 
 void addSockets(NodePlace& p, const nodes::SocketTable& table, double frame) {
   const auto add = [&](nodes::SocketInfo s, bool input) {
@@ -61,7 +61,10 @@ NodePlace place(const nodes::SocketTable& table, const std::string& name, const 
   if (p.type && thumbnails.shows(name)) p.thumbnail = thumbnailKind(*p.type);
   if (p.thumbnail != Thumbnail::None) {
     p.pictureMin = {p.min.x + 8, p.max.y};
-    p.pictureMax = {p.max.x - 8, p.max.y + (p.thumbnail == Thumbnail::Map ? kMapPicture : kImagePicture)};
+    const float height = p.thumbnail == Thumbnail::Map           ? kMapPicture
+                         : p.thumbnail == Thumbnail::Environment ? kEnvironmentPicture
+                                                                 : kImagePicture;
+    p.pictureMax = {p.max.x - 8, p.max.y + height};
     p.max.y = p.pictureMax.y + 8;
   }
   return p;
@@ -99,6 +102,7 @@ Thumbnail thumbnailKind(const nodes::NodeType& type) {
     if (s.type == nodes::SocketType::Image) return Thumbnail::Image;
   for (const nodes::SocketSpec& s : type.inputs)
     if (type.isOutput && s.type == nodes::SocketType::Image) return Thumbnail::Image;
+  if (type.id == "light.environment" || type.id == "light.sky") return Thumbnail::Environment;
   // A march keeps no map.
   return type.category == "Shadow" && type.id != "shadow.ray_march" ? Thumbnail::Map : Thumbnail::None;
 }

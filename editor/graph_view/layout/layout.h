@@ -23,7 +23,7 @@ struct SocketPlace {
 };
 
 /// What a node's picture shows.
-enum class Thumbnail { None, Image, Map };
+enum class Thumbnail { None, Image, Map, Environment };
 
 struct NodePlace {
   std::string name;

@@ -48,6 +48,8 @@ TEST(Layout, PicturesMakeRoomBelowTheSocketsAlone) {
   EXPECT_LE(after->pictureMax.y, after->max.y);
   EXPECT_EQ(findSocket(*after, "light", true)->at, findSocket(*before, "light", true)->at);
   EXPECT_EQ(findPlace(layoutGraph(g, {}, {false, {"Render"}}), "Render")->thumbnail, Thumbnail::Image);
+  EXPECT_EQ(thumbnailKind(*nodes::findNodeType("light.sky")), Thumbnail::Environment);
+  EXPECT_EQ(thumbnailKind(*nodes::findNodeType("light.environment")), Thumbnail::Environment);
 }
 
 TEST(Layout, AnExposedParameterIsASocketWithItsValue) {

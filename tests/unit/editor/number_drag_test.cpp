@@ -1,6 +1,8 @@
 // Steps of numbers and the hue of colours.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "editor/toolkit/hsv.h"
 #include "editor/toolkit/number_drag.h"
 
@@ -46,6 +48,17 @@ TEST(NumberSteps, ShareOfTheSoftRange) {
   ratio.logarithmic = true;
   EXPECT_NEAR(softShare(1, ratio), 0.5, 1e-12);
   EXPECT_EQ(softShare(0, ratio), 0);
+}
+
+TEST(NumberFields, NothingIsBehindTheNumber) {
+  for (const float scale : {0.75f, 1.0f, 1.25f, 1.5f, 2.0f, 2.5f}) {
+    const float font = std::round(16 * scale), height = font + 2 * std::round(5 * scale);
+    const FieldRows rows = fieldRows(height, font, scale);
+    EXPECT_GE(rows.text, 0) << scale;
+    EXPECT_GE(rows.barTop, rows.text + font) << "the bar is below the text at " << scale;
+    EXPECT_GE(rows.barEnd - rows.barTop, 2) << "and can be seen";
+    EXPECT_EQ(rows.barEnd, height);
+  }
 }
 
 TEST(Hsv, ThereAndBackWithoutLimit) {

@@ -78,11 +78,10 @@ TEST_P(Themes, TextCanBeReadOnItsGround) {
                  "kBackground kSurround kPictureEmpty kPanel kBar kPopup kField kFieldHover kCanvas kNode",
                  4.5);
   expectContrast("kTextFaint", "kPanel kBar kPopup kField kFieldHover kCanvas kNode", 4.5);
-  expectContrast(
-      "kText kTextStrong",
-      "kFieldFill kFieldFillHover kAccentDim kButton kButtonHover kRowHover kTextSelected kErrorBack "
-      "kWarningBack",
-      4.5);
+  expectContrast("kText kTextStrong",
+                 "kAccentHover kAccentDim kButton kButtonHover kRowHover kTextSelected kErrorBack "
+                 "kWarningBack",
+                 4.5);
   expectContrast("kWarning kError kAccent kGood", "kPanel kBar kPopup kField", 4.5);
   expectContrast("kWarning kError", "kSurround", 4.5);
   expectContrast("kError", "kErrorBack", 4.5);
@@ -106,6 +105,8 @@ TEST_P(Themes, MarksAndCurvesStandOut) {
       "kNode kCanvas", 3);
   expectContrast("kSeries0 kSeries1 kSeries2 kSeries3 kSeries4 kSeries5 kExact kGhost", "kField kPanel", 3);
   expectContrast("kSelect", "kCanvas kNode kPanel", 3);
+  expectContrast("kFieldBar kAccent", "kField kFieldHover", 3);
+  expectContrast("kFieldBar", "kFieldTrack", 2.5);
 }
 
 TEST_P(Themes, NothingIsPureAndPicturesStandOnNeutralGrey) {

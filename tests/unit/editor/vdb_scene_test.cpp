@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "editor/document/crash_log.h"
+#include "editor/document/daylight.h"
 #include "editor/document/drops.h"
 #include "editor/document/environment_scene.h"
 #include "editor/document/graph_pictures.h"
@@ -66,9 +67,15 @@ TEST(VdbScene, AnEmptyGraphBecomesALitFramedCloud) {
   const nodes::Graph& g = scene->graph;
   EXPECT_EQ(scene->added.size(), g.nodes.size());
   EXPECT_TRUE(linked(g, {"smoke_0012", "volume", "smoke_0012 Medium", "volume"}));
-  EXPECT_TRUE(linked(g, {"smoke_0012 Medium", "volume", "Pseudometric Map", "volumes"}));
   EXPECT_TRUE(linked(g, {"smoke_0012 Medium", "volume", "Render", "volumes"}));
-  EXPECT_TRUE(linked(g, {"Extinction Map", "light", "Render", "lights"}));
+  // A sky lights it: its sun and the rest of it each through a shadow of its own, small where it is wide.
+  for (const std::string part : {"Sun", "Sky"}) {
+    EXPECT_TRUE(linked(g, {"Sky", part == "Sun" ? "sun" : "sky", part + " Metric", "light"})) << part;
+    EXPECT_TRUE(linked(g, {"smoke_0012 Medium", "volume", part + " Metric", "volumes"})) << part;
+    EXPECT_TRUE(linked(g, {part + " Shadow", "light", "Render", "lights"})) << part;
+  }
+  EXPECT_EQ(std::get<int>(nodes::findNode(g, "Sky Metric")->params.at("resolution")), 128);
+  EXPECT_TRUE(ofType(g, "light.sun").empty()) << "the sky has the sun";
   EXPECT_TRUE(linked(g, {"Render", "image", "View", "image"}));
   EXPECT_EQ(std::get<double>(nodes::findNode(g, "smoke_0012 Medium")->params.at("extinction")), 0.123)
       << "three digits say what is known";
@@ -79,6 +86,28 @@ TEST(VdbScene, AnEmptyGraphBecomesALitFramedCloud) {
   const Result<nodes::Loaded> read = nodes::parseGraph(nodes::graphText(g));
   ASSERT_TRUE(read);
   for (const nodes::Fault& fault : read->faults) ADD_FAILURE() << nodes::faultText(fault);
+}
+
+TEST(VdbScene, ANewDocumentHasASkyThatVolumesJoin) {
+  const Result<nodes::Graph> scene = newScene();
+  ASSERT_TRUE(scene) << scene.error().message;
+  const Result<nodes::Loaded> read = nodes::parseGraph(nodes::graphText(*scene));
+  ASSERT_TRUE(read);
+  for (const nodes::Fault& fault : read->faults) ADD_FAILURE() << nodes::faultText(fault);
+  EXPECT_FALSE(ofType(*scene, "light.sky").empty());
+  EXPECT_TRUE(linked(*scene, {"Render", "image", "View", "image"}));
+  const volume::VdbFit fit = smoke();
+  const Result<VdbScene> joined = addVdbFiles(*scene, {&fit, 1});
+  ASSERT_TRUE(joined) << joined.error().message;
+  EXPECT_EQ(joined->graph.nodes.size(), scene->nodes.size() + 2) << "no second sky, render or view";
+  for (const char* metric : {"Sun Metric", "Sky Metric"})
+    EXPECT_TRUE(linked(joined->graph, {"smoke_0012 Medium", "volume", metric, "volumes"})) << metric;
+  // No two nodes lie on one another.
+  for (const auto& [a, first] : scene->nodes)
+    for (const auto& [b, second] : scene->nodes)
+      EXPECT_TRUE(a >= b || std::abs(first->at.x - second->at.x) >= 200 ||
+                  std::abs(first->at.y - second->at.y) >= 150)
+          << a << " and " << b;
 }
 
 TEST(VdbScene, OneUndoTakesItBack) {
@@ -182,7 +211,7 @@ TEST(VdbScene, FireAloneIsAPictureWithoutLights) {
   const nodes::Graph& g = scene->graph;
   EXPECT_TRUE(linked(g, {"fire_0012 Black Body", "volume", "Render", "volumes"}));
   EXPECT_TRUE(ofType(g, "volume.medium").empty());
-  EXPECT_TRUE(ofType(g, "light.sun").empty());
+  EXPECT_TRUE(ofType(g, "light.sky").empty());
   EXPECT_TRUE(ofType(g, "shadow.pseudometric").empty());
   ASSERT_TRUE(scene->camera);
   EXPECT_NEAR(scene->camera->target.y, 10, 0.1);

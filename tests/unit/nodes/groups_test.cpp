@@ -226,5 +226,40 @@ TEST(Disabled, NodesAreAsIfTheyWereNotThere) {
   EXPECT_TRUE(parseGraph(graphText(graph))->graph == graph);
 }
 
+TEST(Groups, SourcesAreFoundThroughThemAndThroughDots) {
+  const Graph graph = parsed(
+      R"("Eye": {"type": "camera.perspective"}, "Dot": {"type": "dot"}, "Sun": {"type": "light.sun"},
+         "View": {"type": "output.view"},
+         "Shot": {"type": "group", "graph": {
+           "nodes": {
+             "camera": {"type": "group.input", "at": [0, 0]}, "light": {"type": "group.input", "at": [0, 100]},
+             "Rig": {"type": "group", "graph": {
+               "nodes": { "Box": {"type": "volume.box"}, "volume": {"type": "group.output"} },
+               "links": ["Box.volume -> volume.in"] }},
+             "Render": {"type": "render.volume"}, "image": {"type": "group.output"} },
+           "links": ["camera.out -> Render.camera", "light.out -> Render.lights", "Rig.volume -> Render.volumes",
+                     "Render.image -> image.in"] }})",
+      R"("Eye.camera -> Dot.in", "Dot.out -> Shot.camera", "Sun.light -> Shot.light", "Shot.image -> View.image")");
+  ASSERT_EQ(graph.links.size(), 4u);
+  using Sources = std::vector<SocketAt>;
+  EXPECT_EQ(sourcesOf(graph, "View", "image"), (Sources{{"Shot/Render", "image"}}));
+  EXPECT_EQ(sourcesOf(graph, "Shot/Render", "camera"), (Sources{{"Eye", "camera"}}));
+  EXPECT_EQ(sourcesOf(graph, "Shot/Render", "volumes"), (Sources{{"Shot/Rig/Box", "volume"}}));
+  EXPECT_EQ(sourcesOf(graph, "Shot/Render", "").size(), 3u) << "an empty input means any";
+  EXPECT_TRUE(sourcesOf(graph, "Shot/Render", "solids").empty());
+  EXPECT_TRUE(sourcesOf(graph, "Nobody/Render", "camera").empty());
+  // The same as what is evaluated has it.
+  const FlatGraph flat = flatten(graph);
+  EXPECT_NE(findNode(flat.graph, "Shot/Rig/Box"), nullptr);
+
+  const Graph without = unlinked(graph, "Shot/Render", "camera").value();
+  EXPECT_TRUE(sourcesOf(without, "Shot/Render", "camera").empty());
+  EXPECT_EQ(sourcesOf(without, "Shot/Render", "lights").size(), 1u) << "the others stay";
+  EXPECT_FALSE(unlinked(graph, "Nobody/Render", "camera"));
+  Graph muted = graph;
+  for (Link& link : muted.links) link.muted = link.fromNode == "Dot";
+  EXPECT_TRUE(sourcesOf(muted, "Shot/Render", "camera").empty());
+}
+
 }  // namespace
 }  // namespace pileus::nodes

@@ -3,6 +3,7 @@
 
 #include "nodes/file/serialize.h"
 #include "nodes/shadows/shadow_spec_nodes.h"
+#include "nodes/types/shadow_common.h"
 
 namespace pileus::nodes {
 namespace {
@@ -153,6 +154,15 @@ TEST(ShadowSpecNodes, RefusesAnotherKindAndValuesOutOfRange) {
   EXPECT_EQ(refused.error().code, Code::Arguments);
   EXPECT_NE(refused.error().message.find("Shadow.coefficients"), std::string::npos)
       << refused.error().message;
+}
+
+TEST(ShadowSpecs, DraftsOfCoarseMapsAreCoarserStill) {
+  EXPECT_EQ(draftTexelsOf(384, 128), 128);
+  EXPECT_EQ(draftTexelsOf(1024, 128), 128) << "a finer map makes no finer draft";
+  EXPECT_EQ(draftTexelsOf(128, 128), 42) << "in proportion";
+  EXPECT_EQ(draftTexelsOf(128, 48), 24) << "but never so few that light has no direction";
+  EXPECT_EQ(draftTexelsOf(16, 128), 16);
+  EXPECT_EQ(draftTexelsOf(384, 12), 12);
 }
 
 }  // namespace

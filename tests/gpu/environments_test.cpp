@@ -207,7 +207,8 @@ TEST(Environments, DraftsTakeTheSunsOfTheLast) {
   scene = shadowed(scene, dropped());
   const Drawn other = draw(scene, 1e12, 0, kept);
   EXPECT_NE(kept->lights[0].shadow, suns[0].shadow);
-  EXPECT_EQ(draw(scene).pixels(), other.pixels());
+  // Maps that lie elsewhere in their texture are looked up with other roundings.
+  EXPECT_LT(off(draw(scene).pixels(), other.pixels()).each, 1e-5);
 }
 
 // One light, one layer; and layers add up to the beauty.

@@ -211,7 +211,7 @@ bool addScattered(Stretch s, StretchSample x) {
       vec3 open = openTo(l, middle) * q.falloff * airPasses(l, middle) * lights[l].emitted.rgb;
       vec3 source = scattering(s, x, l, q, 1.0) *
                     meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
-#if OCTAVES > 1
+#if OCTAVES > 1 && !SCATTER_GRID
       float share = 1.0;
       for (int n = 1; n < OCTAVES; ++n) {
         share *= 0.5;

@@ -31,9 +31,10 @@ fs::path grey() {
 
 /// Until the jobs are through.
 std::vector<LightWithShadow> lights(Evaluator& evaluator, const Graph& graph, const std::string& node,
-                                    const char* socket = "light") {
+                                    const char* socket = "light",
+                                    const fs::path& folder = test::scratchFolder()) {
   EvalSettings settings;
-  settings.folder = test::scratchFolder();
+  settings.folder = folder;
   for (int i = 0; i < 2000; ++i) {
     const EvalReport report = evaluator.evaluate(graph, {node}, settings);
     if (report.complete) break;
@@ -114,17 +115,17 @@ colorspaces:
   const std::string settings = R"(, "settings": {"ocio": "twice.ocio"})";
   const Graph graph = graphOf(node + R"(, "colorspace": "Scaled"}})", "", settings);
   Evaluator evaluator{nullptr};
-  const auto first = lights(evaluator, graph, "E");
+  const auto first = lights(evaluator, graph, "E", "light", config.parent_path());
   ASSERT_EQ(first.size(), 1u);
   EXPECT_NEAR(first[0].light.environment->map->at(5, 5).g, 1.0f, 1e-5f);
   write(8);  // another size of file: another stamp, whatever the clock says
   write(16.5);
-  const auto second = lights(evaluator, graph, "E");
+  const auto second = lights(evaluator, graph, "E", "light", config.parent_path());
   ASSERT_EQ(second.size(), 1u);
   EXPECT_NEAR(second[0].light.environment->map->at(5, 5).g, 8.25f, 1e-4f);
   // Without a name nothing is looked up in it.
   const Graph plain = graphOf(node + "}}", "", settings);
-  const auto third = lights(evaluator, plain, "E");
+  const auto third = lights(evaluator, plain, "E", "light", config.parent_path());
   ASSERT_EQ(third.size(), 1u);
   EXPECT_NEAR(third[0].light.environment->map->at(5, 5).g, 0.5f, 1e-4f);
 }

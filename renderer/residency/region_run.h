@@ -18,8 +18,8 @@ class RegionRun {
  public:
   /// Makes the volumes resident within `ms`; go on once its fraction is 1. `origin` as VolumeSet has it.
   Result<Residency> prepare(BrickPool& bricks, const volume::InstanceList& volumes, double ms,
-                            const dvec3& origin) {
-    return set_.prepare(bricks, volumes, ms, origin);
+                            const dvec3& origin, bool peaks = false) {
+    return set_.prepare(bricks, volumes, ms, origin, peaks);
   }
   const dvec3& origin() const { return set_.origin(); }
   /// Lists for a picture or map of that size, as TileLists::build() has them.

@@ -5,12 +5,15 @@
 #include <limits>
 #include <map>
 
+#include "renderer/scene/peak.h"
 #include "renderer/shaders/shared/records.h"
+#include "renderer/shaders/shared/scatter.h"
 
 namespace pileus::residency {
 namespace {
 
 static_assert(sizeof(gpu::VolumeRecord) == VOLUME_ROWS * sizeof(vec4));
+static_assert(PEAK_DEPTH == scene::kPeakDepth);
 static_assert(REMAP_ENTRIES == volume::kRemapEntries);
 
 /// The section's texels: records, then each table and the levels of each grid once.
@@ -50,6 +53,17 @@ vec4 remapRow(const volume::Instance& i, Texels& texels) {
   const double most = std::numeric_limits<float>::max();
   return vec4(float(texels.add(table->content, std::span<const vec4>(table->entries))), float(perDensity),
               float(-table->lowest * perDensity), float(std::clamp(table->emptyUpTo, -most, most)));
+}
+
+/// The first texel of its table.
+std::size_t peakRows(const scene::Phase& phase, Texels& texels) {
+  Hasher h;
+  h.add("peaks").add(phase.first.g).add(phase.first.alpha).add(phase.second.g).add(phase.second.alpha);
+  const std::vector<float> table = scene::scatteredPeaks(phase, PEAK_ANGLES, PEAK_DEPTHS);
+  std::vector<vec4> rows;
+  for (std::size_t i = 0; i < table.size(); i += 4)
+    rows.emplace_back(table[i], table[i + 1], table[i + 2], table[i + 3]);
+  return texels.add(h.add(phase.blend).key(), std::span<const vec4>(rows));
 }
 
 constexpr double kFar = 1e30;  ///< metres: no end
@@ -120,12 +134,13 @@ volume::InstanceList canonicalWithEmission(const volume::InstanceList& instances
 }
 
 Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList& instances, double ms,
-                                     const dvec3& origin) {
+                                     const dvec3& origin, bool peaks) {
   const Key content = volume::contentKey(instances);
-  if (content != content_ || origin != origin_ || generation_ == ~std::uint64_t(0)) {
+  if (content != content_ || origin != origin_ || peaks != peaks_ || generation_ == ~std::uint64_t(0)) {
     instances_ = instances;
     content_ = content;
     origin_ = origin;
+    peaks_ = peaks;
     shapes_ = 0;
     dense_ = lobes_ = false;
     constexpr double kDenseVoxel = 4;  // optical depth
@@ -146,6 +161,7 @@ Result<Residency> VolumeSet::prepare(BrickPool& pool, const volume::InstanceList
     for (std::size_t i = 0; i < instances_.size(); ++i) {
       gpu::VolumeRecord r = record(instances_[i], pool, origin_, lobes_, texels);
       r.remap = remapRow(instances_[i], texels);
+      if (peaks_ && !instances_[i].emission) r.tint.w = float(peakRows(instances_[i].medium.phase, texels));
       texels.put(i, r);
     }
     texels_ = texels.all();

@@ -18,9 +18,10 @@ class VolumeSet {
  public:
   /// Makes the grids resident within `ms`; once fraction is 1 there are records in the order given and bind()
   /// may be called. Shaders count positions from `origin` (world, metres): far from the world's own they have
-  /// float precision only next to theirs.
+  /// float precision only next to theirs. `peaks`: with tables of what is scattered within peaks of phase
+  /// functions (lib/peak.glsl).
   Result<Residency> prepare(BrickPool& pool, const volume::InstanceList& instances, double ms,
-                            const dvec3& origin = dvec3(0));
+                            const dvec3& origin = dvec3(0), bool peaks = false);
   /// Records into the table (bound by the caller), bricks to their binding points; atlas uniforms into the
   /// program.
   void bind(const BrickPool& pool, SceneTable& table, gl::Program& program) const;
@@ -40,7 +41,7 @@ class VolumeSet {
   Key content_;
   dvec3 origin_{0};
   int shapes_ = 0;
-  bool dense_ = false, lobes_ = false;
+  bool dense_ = false, lobes_ = false, peaks_ = false;
   std::uint64_t generation_ = ~std::uint64_t(0);
   std::vector<vec4> texels_;  ///< of the table
 };

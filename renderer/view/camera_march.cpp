@@ -68,7 +68,8 @@ dvec3 originOf(const RenderOptions& options, const LightSet& lights) {
 
 Result<residency::Residency> CameraMarch::prepare(const shadow::Gpu& gpu, const RenderOptions& options,
                                                   const LightSet& lights, double ms) {
-  return run.prepare(gpu.bricks, lights.volumes(), ms, originOf(options, lights));
+  return run.prepare(gpu.bricks, lights.volumes(), ms, originOf(options, lights),
+                     options.scatter.kind == Scattering::Grid);
 }
 
 void CameraMarch::list(const RenderOptions& options, const LightSet& lights) {

@@ -1,6 +1,6 @@
-// Light that has been scattered at least once: moments of its radiance on lattices, the first one around all, the
-// others within it where media are denser and finer. Of each three blocks, one per channel, lie side by side
-// along z in one texture (view/scatter_field.h).
+// Light that has been scattered at least once: moments of its radiance on lattices, the first one around all,
+// the others within it where media are denser and finer. Of each three blocks, one per channel, lie side by
+// side along z in one texture (view/scatter_field.h).
 #pragma once
 #include "shared/scatter.h"
 

@@ -8,8 +8,9 @@
 // STRETCH_ALBEDO (1: the active ones' albedo is kept too), PHASE_LOBES (1: and with it the lobes of their
 // phase functions, which are not all Henyey and Greenstein's), STRETCH_IDS (1: it is known which volumes they
 // are), STRETCH_SCALED (1, with STRETCH_ALBEDO: scaled extinction and scattering are summed up beside, of
-// phase functions whose forward peak goes straight on) and DENSE (1: there are voxels through which no light comes, so that a step looks at its end too, lest
-// a surface is passed between two middles). A branch on a constant is none.
+// phase functions whose forward peak goes straight on) and DENSE (1: there are voxels through which no light
+// comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch on a
+// constant is none.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"

@@ -31,7 +31,7 @@ struct VolumeRecord {
   vec4 remap;  // x: first of the REMAP_ENTRIES texels of its table, < 0: none; y, z: density d is entry y d +
                // z; w: empty up to it
   vec4 phase;  // g and alpha of Draine's lobe, and of a second one
-  vec4 tint;   // rgb: sigma_t of a channel by the mean of all three
+  vec4 tint;   // rgb: sigma_t of a channel by the mean of all three; w: texel of its table of scattered peaks
 };
 
 // Tables of remapped densities follow the volume records in the table: rgb factor of the albedo, w density.
@@ -113,8 +113,8 @@ struct LightRecord {
   ivec4 shadow;   // x: SHADOW_*, y: BASIS_*, z: coefficients, w: METRIC_*
   ivec4 items;    // x: metric's interval or coefficient count; y, z: first and count of SHADOW_ITEMS (ray
                   // march) or first deep texel; w: LIGHT_*
-  ivec4 solids;   // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*, ...;
-                  // w: of a sun behind air 1 + its first texel there, else 0
+  ivec4 solids;   // x, y: first and count in SolidRecords of those that block this light; z: LIGHT_HAS_*,
+                  // LIGHT_INSIDE ...; w: of a sun behind air 1 + its first texel there, else 0
   BlockRecord metric;
   BlockRecord coefficients;
   ivec4 weights;  // place of the weights' layers (STORE_BYTE), edge and faces as the metric's

@@ -20,6 +20,7 @@
 #define OCTAVES 1
 #endif
 #define STRETCH_SCALED SCATTER_GRID
+#define STRETCH_IDS SCATTER_GRID
 #include "lib/camera_march.glsl"
 #include "lib/light_transmittance.glsl"
 #include "lib/random.glsl"
@@ -34,6 +35,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #endif
 #include "lib/backdrop.glsl"
 #if SCATTER_GRID
+#include "lib/peak.glsl"
 #include "lib/scatter_field.glsl"
 #endif
 
@@ -150,6 +152,50 @@ Through counted(float transmittance) {
 #endif
 }
 
+#if SCATTER_GRID
+const float kOneDirection = 0.999;  // mean cosine of what is a single one
+
+// The optical depth of peaks on the way of light to where transmittances are those.
+vec3 peaksPassed(vec3 seen, float unscaled, float ofLight) {
+  return max(log(max(seen, 1e-30)) - log(max(unscaled, 1e-30)) + (lightScale - 1.0) * log(ofLight), 0.0);
+}
+
+// Scattering of one volume within peaks alone. Next to the directions that a light stands for, whose mean
+// cosine is `narrow`, peaks have none.
+vec3 peaks(vec4 albedo, vec4 medium, int v, float cosine, float narrow, vec3 depth) {
+  vec3 sum;
+  if (narrow < kOneDirection) {
+    vec3 much = (1.0 - exp(-depth)) / max(depth, 1e-3);
+    vec3 share = mix(much, 1.0 - 0.5 * depth, 1.0 - step(1e-3, depth));
+    sum = scaledPhaseOf(v).x * phaseHg(cosine, narrow) * share;
+  } else {
+    int first = int(volumeRow(v, 15).w);
+    sum = vec3(scatteredPeak(first, cosine, depth.r));
+    if (depth.g != depth.r || depth.b != depth.r)
+      sum.gb = vec2(scatteredPeak(first, cosine, depth.g), scatteredPeak(first, cosine, depth.b));
+  }
+  return medium.w * (albedo.rgb * medium.rgb) * sum;
+}
+
+// What one scattering brings in all where ways are scaled: by what of phase functions is smooth, or within
+// their peaks alone, which are passed through `depth` of them.
+vec3 scatteredOnce(Stretch s, StretchSample x, float cosine, float narrow, vec3 depth) {
+  vec3 sum = (x.scattering + 3.0 * narrow * cosine * x.forward) / (4.0 * 3.14159265358979);
+  for (int k = 0; k < ACTIVE; ++k)
+    if (k < s.count && x.media[k].w > 0.0)
+      sum += peaks(s.albedo[k], x.media[k], s.ids[k], cosine, narrow, depth);
+  if (kOverflow) {
+    for (int item = s.rest; item < s.range.y; ++item) {
+      VolumeRay ray;
+      int v = tileItem(item);
+      if (isActive(s, item, ray))
+        sum += peaks(albedoOf(v), mediumAt(ray, middleOf(x)), v, cosine, narrow, depth);
+    }
+  }
+  return max(sum, 0.0);
+}
+#endif
+
 // Where nothing scatters no light is looked up: the step's emission passes as it is.
 void passStep(Stretch s, inout StretchSample x) {
   bool nothing = x.sigma <= 0.0;
@@ -209,8 +255,16 @@ bool addScattered(Stretch s, StretchSample x) {
       lightDone(l);
       Passage q = passage(l, from, s.d, x.ds);
       vec3 open = openTo(l, middle) * q.falloff * airPasses(l, middle) * lights[l].emitted.rgb;
-      vec3 source = scattering(s, x, l, q, 1.0) *
-                    meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
+#if SCATTER_GRID
+      float cosine = dot(unshadowed(l, middle).towards, s.d);
+      float narrow = lights[l].items.w == LIGHT_SUN ? lights[l].towards.w : 1.0;
+      float unscaled = clear * exp(-0.5 * depthOf(x));
+      vec3 depth = peaksPassed(T * sqrt(through(x)), unscaled, sqrt(reached[l] * reaches));
+      vec3 once = scatteredOnce(s, x, cosine, narrow, depth);
+#else
+      vec3 once = scattering(s, x, l, q, 1.0);
+#endif
+      vec3 source = once * meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
 #if OCTAVES > 1 && !SCATTER_GRID
       float share = 1.0;
       for (int n = 1; n < OCTAVES; ++n) {

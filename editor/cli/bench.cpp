@@ -27,6 +27,8 @@ constexpr Table kTables[] = {
     {"deep", "Deep shadow maps of smoke1.vdb", benchDeep},
     {"environments", "Light from everywhere: a cloud under five skies, 64 samples, against paths",
      benchEnvironments},
+    {"scattering", "Light that was scattered more than once, against the judge (WDAS cloud, three views)",
+     benchScattering},
     {"judge", "render.volume against the judge (four scenes, 320 x 180)", benchJudge},
     {"judge-speed", "The judge's own speed: a cloud under sun and sky", benchJudgeSpeed},
     {"speed", "Extinction map against a converged ray march (smoke1.vdb, 640 x 360)", benchSpeed},

@@ -43,6 +43,8 @@ Result<volume::Instance> benchSmoke(const BenchSetup& setup);
 Result<void> benchEnvironments(const BenchSetup& setup);
 /// render.volume, marched and by maps, against single scattering by paths on the scenes of the curve.
 Result<void> benchJudge(const BenchSetup& setup);
+/// Multiple scattering by lattices, octaves and none, against all orders by paths.
+Result<void> benchScattering(const BenchSetup& setup);
 /// Variance times processor time of the judge's ways to reach lights.
 Result<void> benchJudgeSpeed(const BenchSetup& setup);
 

@@ -37,7 +37,7 @@ Json lit(double azimuth, double elevation) {
   add(file, "Sun", "light.sun", {{"azimuth", azimuth}, {"elevation", elevation}});
   add(file, "Pseudometric Map", "shadow.pseudometric");
   add(file, kMap, "shadow.extinction");
-  add(file, kCurveRender, "render.volume", {{"samples", 1}});
+  add(file, kCurveRender, "render.volume", {{"samples", 1}, {"scattering", "single"}});
   add(file, "EXR", "output.exr");
   link(file, "Sun.light", "Pseudometric Map.light");
   link(file, "Pseudometric Map.metric", std::string(kMap) + ".metric");

@@ -24,20 +24,21 @@ float segmentsWidth(const Theme& theme, E) {
   return width;
 }
 
-/// Segments for all values of an enum; true if `value` changed. Traced as "PREFIX/id". `narrow`: there is no
-/// room for them; a list has them, traced as PREFIX.
+/// Segments for all values of an enum; true if `value` changed. Traced as "PREFIX/id". With `room` there is
+/// none for them: a list no wider than that has them, traced as PREFIX.
 template <DescribedEnum E>
-bool segments(Ui& ui, const std::string& prefix, E& value, bool narrow = false) {
+bool segments(Ui& ui, const std::string& prefix, E& value, float room = 0) {
   constexpr auto items = enumInfo(static_cast<E*>(nullptr));
   bool changed = false;
-  if (narrow) {
+  if (room > 0) {
     std::string shown;
     float width = 0;
     for (const auto& item : items) {
       if (item.value == value) shown = item.label;
       width = std::max(width, segmentWidth(ui.theme, item.label));
     }
-    const bool open = beginCombo(ui.theme, ("##" + prefix).c_str(), shown, width + ui.theme.px(20));
+    const bool open =
+        beginCombo(ui.theme, ("##" + prefix).c_str(), shown, std::min(width + ui.theme.px(20), room));
     ui.trace.item(prefix);
     if (!open) return false;
     for (const auto& item : items) {

@@ -75,14 +75,18 @@ void drawCompareBar(Ui& ui, Shown& shown, ImVec2 min, ImVec2 max) {
       segmentsWidth(theme, mode.layout) + segmentsWidth(theme, mode.of) + theme.space(8) +
       (mode.of == CompareOf::Radiance ? segmentsWidth(theme, mode.against) + theme.space(3) : 0) +
       (mode.layout == CompareLayout::Error ? theme.px(190) : 0);
-  const bool narrow = wanted > max.x - min.x - (max.y - min.y);
+  const float there = max.x - min.x - (max.y - min.y);
+  const float lists = mode.of == CompareOf::Radiance ? 3 : 2;
+  const float gaps = theme.space(4) + (lists - 1) * theme.space(3) +
+                     (mode.layout == CompareLayout::Error ? theme.px(190) : 0);
+  const float room = wanted > there ? std::max((there - gaps) / lists, theme.px(40)) : 0;
   ImGui::BeginGroup();
-  segments(ui, "compare", mode.layout, narrow);
+  segments(ui, "compare", mode.layout, room);
   ImGui::SameLine(0, theme.space(3));
-  segments(ui, "compare/of", mode.of, narrow);
+  segments(ui, "compare/of", mode.of, room);
   if (mode.of == CompareOf::Radiance) {
     ImGui::SameLine(0, theme.space(3));
-    segments(ui, "compare/against", mode.against, narrow);
+    segments(ui, "compare/against", mode.against, room);
   }
   if (mode.layout == CompareLayout::Error) {
     ImGui::SameLine(0, theme.space(4));

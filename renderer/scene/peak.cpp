@@ -21,8 +21,8 @@ std::vector<float> scatteredPeaks(const Phase& p, int angles, int depths) {
   for (int j = 0; j < depths; ++j) {
     const double s = (j + 0.5) / depths, t = kPeakDepth * s / (1 - s);
     for (std::size_t l = 0; l < moments.size(); ++l)
-      weights[l] = forward / t * (2 * double(l) + 1) / (4 * kPi) *
-                   (std::exp(t * (moments[l] - 1)) - std::exp(-t));
+      weights[l] =
+          forward / t * (2 * double(l) + 1) / (4 * kPi) * (std::exp(t * (moments[l] - 1)) - std::exp(-t));
     for (int i = 0; i < angles; ++i) {
       const double a = double(i) / (angles - 1), half = a * a, c = 1 - 2 * half * half;
       // Legendre's polynomials, one after the other.

@@ -1,8 +1,8 @@
 #pragma once
 // What light that is scattered within the peaks of a phase function alone has of directions. With
 // p = forward P + (1 - forward) p', p' linear in the cosine (scaledPhase()), P has moments 1, 1, chi_l/chi_2.
-// Through peaks of optical depth t = albedo forward tau light comes by m of them with Poisson's weights, in the
-// directions of P convolved m times with itself.
+// Through peaks of optical depth t = albedo forward tau light comes by m of them with Poisson's weights, in
+// the directions of P convolved m times with itself.
 #include <vector>
 
 #include "renderer/scene/phase.h"

@@ -58,7 +58,8 @@ Result<void> benchScattering(const BenchSetup& setup) {
   const char* given = std::getenv("PILEUS_JUDGE_SAMPLES");
   const int factor = given ? std::max(std::atoi(given) / 64, 1) : 1;
   PILEUS_TRY(const std::vector<CurveScene> scenes, curveScenes(setup.data));
-  PILEUS_TRY(view::RenderScene scene, sceneOf(*setup.renderer, scenes[1].graph, kCurveRender, scenes[1].name));
+  PILEUS_TRY(view::RenderScene scene,
+             sceneOf(*setup.renderer, scenes[1].graph, kCurveRender, scenes[1].name));
   scene.options.size = kSize, scene.options.samples = 16, scene.options.stepScale = 1;
   scene.options.camera = {{0, 120, 1100}, {0, 70, 0}, {0, 1, 0}, 26};
   using view::Scattering;
@@ -67,7 +68,8 @@ Result<void> benchScattering(const BenchSetup& setup) {
                       {"octaves", {Scattering::Octaves, 64, 1e-4}},
                       {"single", {}}};
   std::printf(
-      "WDAS cloud, albedo 0.99, a sun of elevation 30 degrees, marched shadows, 96 x 54; scaled relMSE of means "
+      "WDAS cloud, albedo 0.99, a sun of elevation 30 degrees, marched shadows, 96 x 54; scaled relMSE of "
+      "means "
       "of 4 x 4 pixels and ratio of means against all orders by paths.\n\n| depth | g | view |");
   for (const Way& w : ways) std::printf(" %s: scaled relMSE | ratio | s |", w.name);
   std::printf("\n|---|---|---|");

@@ -92,8 +92,10 @@ double henyeyGreensteinCosine(double g, double u) {
 
 ScaledPhase scaledPhase(const Phase& p) {
   const std::vector<double> moments = legendreMoments(p, 3);
-  const double forward = std::clamp(moments[2], 0.0, 0.9999);
-  return {forward, std::clamp((moments[1] - forward) / (1 - forward), -1.0, 1.0)};
+  const double forward = std::clamp(moments[2], 0.0, 0.9999), rest = (moments[1] - forward) / (1 - forward);
+  // What scatters back has no forward peak.
+  if (rest < -1.0 / 3) return {0, moments[1]};
+  return {forward, std::min(rest, 1.0)};
 }
 
 }  // namespace pileus::scene

@@ -49,7 +49,8 @@ std::vector<double> legendreMoments(const Phase& p, int count);
 
 /// A phase function whose forward peak counts as light that goes straight on: the share `forward` of it does
 /// (the second moment: Joseph, Wiscombe and Weinman 1976, for two terms), the rest has mean cosine `cosine`.
-/// Extinction is then (1 - albedo forward) sigma_t, scattering (1 - forward) sigma_s.
+/// None does where that would leave less than nothing ahead: where light is scattered back. Extinction is
+/// then (1 - albedo forward) sigma_t, scattering (1 - forward) sigma_s.
 struct ScaledPhase {
   double forward = 0, cosine = 0;
 };

@@ -164,10 +164,15 @@ vec3 peaksPassed(vec3 seen, float unscaled, float ofLight) {
 // cosine is `narrow`, peaks have none.
 vec3 peaks(vec4 albedo, vec4 medium, int v, float cosine, float narrow, vec3 depth) {
   vec3 sum;
-  if (narrow < kOneDirection) {
+  vec2 scaled = scaledPhaseOf(v);
+  if (scaled.x <= 0.0) {
+    // No peak: what is not linear in the cosine.
+    float smooth_ = (1.0 + 3.0 * narrow * cosine * scaled.y) / (4.0 * 3.14159265358979);
+    sum = vec3(phaseOf(v, albedo.w, cosine, narrow) - smooth_);
+  } else if (narrow < kOneDirection) {
     vec3 much = (1.0 - exp(-depth)) / max(depth, 1e-3);
     vec3 share = mix(much, 1.0 - 0.5 * depth, 1.0 - step(1e-3, depth));
-    sum = scaledPhaseOf(v).x * phaseHg(cosine, narrow) * share;
+    sum = scaled.x * phaseHg(cosine, narrow) * share;
   } else {
     int first = int(volumeRow(v, 15).w);
     sum = vec3(scatteredPeak(first, cosine, depth.r));

@@ -57,6 +57,15 @@ TEST(ScatteredPeaks, NoneWhereNothingGoesStraightOn) {
   for (const float v : scatteredPeaks(henyeyGreenstein(0), kAngles, kDepths)) EXPECT_EQ(v, 0);
 }
 
+TEST(ScatteredPeaks, NoneOfWhatIsScatteredBack) {
+  for (const double g : {-0.5, -0.9, -0.99}) {
+    EXPECT_EQ(scaledPhase(henyeyGreenstein(g)).forward, 0);
+    EXPECT_NEAR(scaledPhase(henyeyGreenstein(g)).cosine, g, 1e-12);
+  }
+  EXPECT_NEAR(scaledPhase(henyeyGreenstein(0.6)).forward, 0.36, 1e-12);
+  EXPECT_NEAR(scaledPhase(henyeyGreenstein(0.6)).cosine, 0.375, 1e-12);
+}
+
 TEST(ScatteredPeaks, AreFiniteForTheSharpestLobes) {
   for (const Phase& p : {henyeyGreenstein(kSharpestPhase), henyeyGreenstein(-0.99), droplets(10)})
     for (const float v : scatteredPeaks(p, kAngles, kDepths)) ASSERT_TRUE(std::isfinite(v));

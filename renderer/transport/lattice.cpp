@@ -16,4 +16,23 @@ Lattice latticeOver(const Box3& box, int most) {
   return out;
 }
 
+void markOpenFaces(Cells& all) {
+  const ivec3 n = all.lattice.cells;
+  const std::size_t strides[3] = {1, std::size_t(n.x), std::size_t(n.x) * std::size_t(n.y)};
+  std::size_t i = 0;
+  for (int z = 0; z < n.z; ++z)
+    for (int y = 0; y < n.y; ++y)
+      for (int x = 0; x < n.x; ++x, ++i) {
+        if (all.cells[i].extinction.w <= 0) continue;
+        const ivec3 p(x, y, z);
+        unsigned faces = 0;
+        for (int a = 0; a < 3; ++a) {
+          const bool low = p[a] > 0 && all.cells[i - strides[a]].extinction.w > 0,
+                     high = p[a] + 1 < n[a] && all.cells[i + strides[a]].extinction.w > 0;
+          faces |= unsigned(!low) << (2 * a) | unsigned(!high) << (2 * a + 1);
+        }
+        all.cells[i].glow.w = float(faces);
+      }
+}
+
 }  // namespace pileus::transport

@@ -5,84 +5,34 @@
 #include <cmath>
 
 #include "renderer/transport/diffusion.h"
+#include "renderer/transport/mixing.h"
 #include "renderer/transport/sweep.h"
 
 namespace pileus::transport {
 namespace {
 
-constexpr int kHistory = 5;
-
 /// The places where light is sent on, and what is known of it there, of one channel: moments where media
-/// scatter, what is received where solids reflect.
+/// scatter, irradiance where solids reflect.
 struct Unknowns {
-  std::vector<std::size_t> media, solids;
+  struct Face {
+    std::size_t cell, slot;  ///< of a solid; where sweeps have it
+    int face;
+  };
+  std::vector<std::size_t> media;
+  std::vector<Face> faces;
 
-  std::size_t size() const { return 4 * media.size() + solids.size(); }
+  std::size_t size() const { return 4 * media.size() + faces.size(); }
 };
 
-using Vector = std::vector<float>;
-
-/// Anderson 1965 (mixing of type II): of the last few iterates x and what a sweep made of them, g(x), the
-/// combination whose change is least.
-class Mixing {
- public:
-  /// The next x; `weights` of the changes' squares.
-  void next(Vector& x, const Vector& g, const Vector& weights) {
-    Vector change(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) change[i] = g[i] - x[i];
-    if (!lastChange_.empty()) {
-      const std::size_t slot = std::size_t(steps_++ % kHistory);
-      if (changes_.size() <= slot) changes_.emplace_back(), results_.emplace_back();
-      changes_[slot] = change, results_[slot] = g;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        changes_[slot][i] -= lastChange_[i], results_[slot][i] -= lastResult_[i];
-    }
-    lastChange_ = change, lastResult_ = g;
-    const std::array<double, kHistory> by = least(change, weights);
-    x = g;
-    for (std::size_t j = 0; j < changes_.size(); ++j)
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] -= float(by[j]) * results_[j][i];
-  }
-
- private:
-  /// Least squares by normal equations, a hair regularised.
-  std::array<double, kHistory> least(const Vector& change, const Vector& weights) const {
-    const std::size_t n = changes_.size();
-    double a[kHistory][kHistory + 1] = {};
-    for (std::size_t r = 0; r < n; ++r) {
-      for (std::size_t c = r; c < n; ++c) a[r][c] = a[c][r] = dot(changes_[r], changes_[c], weights);
-      a[r][kHistory] = dot(changes_[r], change, weights);
-    }
-    for (std::size_t r = 0; r < n; ++r) a[r][r] *= 1 + 1e-8;
-    std::array<double, kHistory> out{};
-    for (std::size_t p = 0; p < n; ++p) {
-      std::size_t best = p;
-      for (std::size_t r = p; r < n; ++r)
-        if (std::abs(a[r][p]) > std::abs(a[best][p])) best = r;
-      std::swap_ranges(a[p], a[p] + kHistory + 1, a[best]);
-      if (std::abs(a[p][p]) < 1e-300) return {};
-      for (std::size_t r = p + 1; r < n; ++r) {
-        const double by = a[r][p] / a[p][p];
-        for (std::size_t c = p; c <= kHistory; ++c) a[r][c] -= by * a[p][c];
-      }
-    }
-    for (std::size_t p = n; p-- > 0;) {
-      double sum = a[p][kHistory];
-      for (std::size_t c = p + 1; c < n; ++c) sum -= a[p][c] * out[c];
-      out[p] = sum / a[p][p];
-    }
-    return out;
-  }
-  static double dot(const Vector& a, const Vector& b, const Vector& weights) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += double(weights[i]) * double(a[i]) * double(b[i]);
-    return sum;
-  }
-
-  int steps_ = 0;
-  std::vector<Vector> changes_, results_;
-  Vector lastChange_, lastResult_;
-};
+/// What a cell gives by itself in a channel: first collisions, emission, or what its faces send back.
+dvec3 givenBy(const Cell& cell) {
+  if (cell.extinction.w <= 0)
+    return dvec3(cell.first[0].w, cell.first[1].w, cell.first[2].w) + 4 * kPi * dvec3(vec3(cell.glow));
+  dvec3 sum(0);
+  for (int face = 0; face < kFaces; ++face)
+    for (int c = 0; c < 3; ++c) sum[c] += isOpen(cell, face) ? double(sentOf(cell, face, c)) : 0;
+  return sum;
+}
 
 /// Do media and solids the same to all channels?
 bool sameMedia(const Cells& cells) {
@@ -95,9 +45,7 @@ bool sameMedia(const Cells& cells) {
 /// What all sources together have of each channel.
 vec3 colorOf(const Cells& cells) {
   dvec3 sum(0);
-  for (const Cell& c : cells.cells)
-    sum += dvec3(c.first[0].w, c.first[1].w, c.first[2].w) + dvec3(vec3(c.glow)) +
-           (c.extinction.w > 0 ? dvec3(vec3(c.forward)) : dvec3(0));
+  for (const Cell& c : cells.cells) sum += givenBy(c);
   return vec3(sum / std::max({sum.x, sum.y, sum.z, 1e-300}));
 }
 
@@ -111,8 +59,11 @@ int channelsOf(const Cells& cells, const Solution* around) {
     return std::max({off.x, off.y, off.z}) <= 1e-4f * std::max({v.x, v.y, v.z});
   };
   const bool all = std::all_of(cells.cells.begin(), cells.cells.end(), [&](const Cell& c) {
-    return fits(vec3(c.first[0].w, c.first[1].w, c.first[2].w)) && fits(vec3(c.glow)) &&
-           (c.extinction.w <= 0 || fits(vec3(c.forward)));
+    if (c.extinction.w <= 0)
+      return fits(vec3(c.first[0].w, c.first[1].w, c.first[2].w)) && fits(vec3(c.glow));
+    for (int face = 0; face < kFaces; ++face)
+      if (!fits({sentOf(c, face, 0), sentOf(c, face, 1), sentOf(c, face, 2)})) return false;
+    return true;
   });
   return all ? 1 : 3;
 }
@@ -127,29 +78,15 @@ class Solver {
         count_(cells.lattice.count()),
         channels_(channelsOf(cells, options.around)),
         sweep_(cells, channels_) {
-    open_.resize(count_);
-    const ivec3 n = cells.lattice.cells;
-    std::size_t i = 0;
-    for (int z = 0; z < n.z; ++z)
-      for (int y = 0; y < n.y; ++y)
-        for (int x = 0; x < n.x; ++x, ++i) {
-          const Cell& cell = cells.cells[i];
-          if (cell.extinction.w <= 0) {
-            if (cell.scattering.x + cell.scattering.y + cell.scattering.z > 0) unknowns_.media.push_back(i);
-            continue;
-          }
-          const auto openAt = [&](int a, int side) {
-            ivec3 p(x, y, z);
-            p[a] += side;
-            if (p[a] < 0 || p[a] >= n[a]) return true;
-            const std::size_t other =
-                (std::size_t(p.z) * std::size_t(n.y) + std::size_t(p.y)) * std::size_t(n.x) +
-                std::size_t(p.x);
-            return cells.cells[other].extinction.w <= 0;
-          };
-          for (int a = 0; a < 3; ++a) open_[i] += float(openAt(a, -1)) + float(openAt(a, 1));
-          if (open_[i] > 0) unknowns_.solids.push_back(i);
-        }
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Cell& cell = cells.cells[i];
+      if (cell.extinction.w > 0) {
+        for (int face = 0; face < kFaces; ++face)
+          if (isOpen(cell, face)) unknowns_.faces.push_back({i, sweep_.slot(i) + std::size_t(face), face});
+      } else if (cell.scattering.x + cell.scattering.y + cell.scattering.z > 0) {
+        unknowns_.media.push_back(i);
+      }
+    }
   }
 
   Result<Solution> run(JobControl& control) {
@@ -275,7 +212,7 @@ class Solver {
         const vec4& m = moments[c * count_ + i];
         for (int j = 0; j < 4; ++j) to[c][k++] = m[j];
       }
-      for (const std::size_t i : unknowns_.solids) to[c][k++] = sweep_.received()[i][int(c)];
+      for (const Unknowns::Face& f : unknowns_.faces) to[c][k++] = sweep_.received()[f.slot][int(c)];
     }
   }
 
@@ -285,7 +222,8 @@ class Solver {
     const double face = 1 / cells_.lattice.cell;
     for (const std::size_t i : unknowns_.media)
       for (int j = 0; j < 4; ++j) weights[k++] = cells_.cells[i].scattering[c];
-    for (const std::size_t i : unknowns_.solids) weights[k++] = cells_.cells[i].scattering[c] * float(face);
+    for (const Unknowns::Face& f : unknowns_.faces)
+      weights[k++] = cells_.cells[f.cell].scattering[c] * float(face);
     for (float& w : weights) w *= w;
   }
 
@@ -298,7 +236,7 @@ class Solver {
       k += 4;
     }
     k -= 3;
-    for (const std::size_t i : unknowns_.solids) {
+    for (const auto& [i, slot, face] : unknowns_.faces) {
       const double s = double(cells_.cells[i].scattering[int(c)]) / cells_.lattice.cell;
       change += s * std::abs(double(g[k]) - double(x[k])), all += s * std::abs(double(g[k]));
       ++k;
@@ -325,29 +263,27 @@ class Solver {
                        cell.scattering[channel] * x[c][k + 3]);
         k += 4;
       }
-      for (const std::size_t i : unknowns_.solids) {
+      for (const auto& [i, slot, face] : unknowns_.faces) {
         const Cell& cell = cells_.cells[i];
-        sweep_.sent()[i][channel] =
-            (cell.scattering[channel] * x[c][k++] / open_[i] + cell.forward[channel]) / flux;
+        sweep_.sent()[slot][channel] =
+            (cell.scattering[channel] * x[c][k++] + sentOf(cell, face, channel)) / flux;
       }
     }
   }
 
   void account(Solution& out) const {
-    const double h = cells_.lattice.cell, volume = h * h * h;
+    const double h = cells_.lattice.cell, area = h * h, volume = area * h;
     for (int c = 0; c < channels_; ++c) {
       for (std::size_t i = 0; i < count_; ++i) {
         const Cell& cell = cells_.cells[i];
-        if (cell.extinction.w > 0) {
-          const double received = double(sweep_.received()[i][c]);
-          out.given[c] += h * h * double(cell.forward[c]) * double(open_[i]);
-          out.kept[c] += h * h * received * (1 - double(cell.scattering[c]));
-          continue;
-        }
+        const bool solid = cell.extinction.w > 0;
+        out.given[c] += (solid ? area : volume) * givenBy(cell)[c];
         const double phi = double(out.moments[std::size_t(c) * count_ + i].w);
-        out.given[c] += volume * (double(cell.first[c].w) + 4 * kPi * double(cell.glow[c]));
-        out.kept[c] += volume * double(cell.extinction[c] - cell.scattering[c]) * phi;
+        if (!solid) out.kept[c] += volume * double(cell.extinction[c] - cell.scattering[c]) * phi;
       }
+      for (const Unknowns::Face& f : unknowns_.faces)
+        out.kept[c] +=
+            area * double(sweep_.received()[f.slot][c]) * (1 - double(cells_.cells[f.cell].scattering[c]));
     }
     out.given += sweep_.entered();
     out.left = sweep_.leaked();
@@ -359,7 +295,6 @@ class Solver {
   int channels_;
   Sweep sweep_;
   Unknowns unknowns_;
-  std::vector<float> open_;                            ///< faces of solid cells
   std::vector<std::unique_ptr<Diffusion>> diffusion_;  ///< of each channel, or of all
   std::vector<vec4> sources_, correction_;
 };

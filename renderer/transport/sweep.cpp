@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/transport/ordinates.h"
 
@@ -83,8 +84,12 @@ struct Sweep::Work {
 Sweep::Sweep(const Cells& cells, int channels) : cells_(cells), channels_(channels) {
   const std::size_t count = cells.lattice.count(), all = std::size_t(channels) * count;
   sources_.resize(all);
-  sent_.resize(count);
-  received_.resize(count);
+  slots_.resize(count);
+  std::uint32_t faces = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (cells.cells[i].extinction.w > 0) slots_[i] = std::exchange(faces, faces + kFaces);
+  sent_.resize(faces);
+  received_.resize(faces);
   parts_.resize(all);
   for (int c = 0; c < channels; ++c)
     for (std::size_t i = 0; i < count; ++i)
@@ -95,7 +100,7 @@ Sweep::Sweep(const Cells& cells, int channels) : cells_(cells), channels_(channe
     work_.back()->row.resize(3 * std::size_t(cells.lattice.cells.x));
     work_.back()->plane.resize(3 * std::size_t(cells.lattice.cells.x) * std::size_t(cells.lattice.cells.y));
     work_.back()->moments.resize(all);
-    work_.back()->received.resize(count);
+    work_.back()->received.resize(faces);
   }
 }
 
@@ -145,20 +150,18 @@ void Sweep::run(Moments& moments) {
           Lanes* row = &w.row[3 * std::size_t(x)];
           Lanes* plane = &w.plane[3 * (std::size_t(y) * std::size_t(n.x) + std::size_t(x))];
           if (solid) {
-            const auto closed = [&](int a, int index, std::size_t stride) {
-              if (index == 0) return false;
-              const std::size_t before = o.step[a] > 0 ? at - stride : at + stride;
-              return cells_.cells[before].extinction.w > 0;
+            // Light comes in through the faces that it meets, and leaves through those behind.
+            const std::size_t faces = slots_[at];
+            const int in[3] = {o.step.x > 0 ? 0 : 1, o.step.y > 0 ? 2 : 3, o.step.z > 0 ? 4 : 5};
+            const auto take = [&](int axis, const Lanes& weighed, Lanes& radiance, int c) {
+              if (isOpen(cell, in[axis]))
+                w.received[faces + std::size_t(in[axis])][c] += sum(weighed * radiance);
+              radiance = all(sent_[faces + std::size_t(in[axis] ^ 1)][c]);
             };
-            const bool cx = closed(0, i, 1), cy = closed(1, j, std::size_t(n.x)),
-                       cz = closed(2, k, std::size_t(n.x) * std::size_t(n.y));
             for (int c = 0; c < channels; ++c) {
-              float in = 0;
-              if (!cx) in += sum(o.weighedX * along[c]);
-              if (!cy) in += sum(o.weighedY * row[c]);
-              if (!cz) in += sum(o.weighedZ * plane[c]);
-              w.received[at][c] += in;
-              along[c] = row[c] = plane[c] = all(sent_[at][c]);
+              take(0, o.weighedX, along[c], c);
+              take(1, o.weighedY, row[c], c);
+              take(2, o.weighedZ, plane[c], c);
             }
           } else {
             for (int c = 0; c < channels; ++c) {
@@ -202,7 +205,7 @@ void Sweep::run(Moments& moments) {
   });
   leaked_ = entered_ = dvec3(0);
   for (const auto& w : work_) leaked_ += w->leaked, entered_ += w->entered;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < received_.size(); ++i)
     received_[i] =
         (work_[0]->received[i] + work_[1]->received[i]) + (work_[2]->received[i] + work_[3]->received[i]);
 }

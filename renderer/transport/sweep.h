@@ -1,6 +1,7 @@
 #pragma once
 // One sweep of discrete ordinates: radiance in all directions by given sources, cell after cell downwind.
 #include <array>
+#include <cstdint>
 #include <memory>
 
 #include "renderer/transport/lattice.h"
@@ -19,8 +20,9 @@ class Sweep {
   /// Source of a channel's scattered light in a cell: w over all directions is the same, xyz d in direction d
   /// comes on top [W/(m^3 sr)]. As many as there are moments, in the same order.
   std::vector<vec4>& sources() { return sources_; }
-  /// Radiance that solid cells send into every direction [W/(m^2 sr)]; per cell.
+  /// Radiance that faces of solid cells send into every direction [W/(m^2 sr)]; of slot(cell) + face.
   std::vector<vec3>& sent() { return sent_; }
+  std::size_t slot(std::size_t cell) const { return slots_[cell]; }
 
   /// Radiance that comes in through a face of the lattice, linear in its direction, by moments as sources
   /// have them: of channel c in [c * cells of the face + cell]. Faces -x +x -y +y -z +z; their cells x before
@@ -33,7 +35,7 @@ class Sweep {
   dvec3 leaked() const { return leaked_; }
   /// What came in [W].
   dvec3 entered() const { return entered_; }
-  /// Per solid cell and channel: mean irradiance of its open faces times their number [W/m^2].
+  /// Irradiance of those faces [W/m^2]; of others 0.
   const std::vector<vec3>& received() const { return received_; }
   /// Of a uniform radiance 1 leaving a face into its half space, by these directions; about pi.
   static double halfFlux();
@@ -44,6 +46,7 @@ class Sweep {
   int channels_;
   std::vector<float> parts_;  ///< of cells, as pass() has them
   std::vector<vec4> sources_;
+  std::vector<std::uint32_t> slots_;
   std::vector<vec3> sent_, received_;
   std::vector<std::unique_ptr<Work>> work_;  ///< one per group of octants that is swept beside the others
   dvec3 leaked_{0}, entered_{0};

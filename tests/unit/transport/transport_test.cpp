@@ -24,6 +24,7 @@ Cells cellsOf(ivec3 n, double edge, const Fill& fill) {
   for (int z = 0; z < n.z; ++z)
     for (int y = 0; y < n.y; ++y)
       for (int x = 0; x < n.x; ++x, ++i) fill(out.cells[i], (dvec3(x, y, z) + 0.5) / dvec3(n));
+  markOpenFaces(out);
   return out;
 }
 
@@ -71,6 +72,16 @@ TEST(Ordinates, IntegratePolynomialsOfDegreeFive) {
   EXPECT_NEAR(second, 4 * kPi / 3, 1e-12);
   EXPECT_NEAR(fourth, 4 * kPi / 5, 1e-12);
   EXPECT_NEAR(mixed, 4 * kPi / 15, 1e-12);
+}
+
+TEST(Lattice, KnowsTheOpenFacesOfSolids) {
+  // A wall of 1 x 3 x 3 cells in a corner.
+  const Cells cells =
+      cellsOf(ivec3(3), 1, [](Cell& cell, const dvec3& p) { cell.extinction.w = p.x < 0.4 ? 1 : 0; });
+  const auto open = [&](int cell) { return int(cells.cells[std::size_t(cell)].glow.w); };
+  EXPECT_EQ(open(0), 1 + 2 + 4 + 16) << "both along x, and where the lattice ends along y and z";
+  EXPECT_EQ(open(9 + 3), 1 + 2) << "in the middle";
+  EXPECT_EQ(open(1), 0) << "no solid";
 }
 
 TEST(Transport, KeepsEnergy) {
@@ -207,6 +218,25 @@ TEST(Transport, WhiteSolidsSendAllBack) {
       EXPECT_GT(s.kept.x, 0.05 * s.given.x);
     }
   }
+}
+
+/// A sheet that is lit from above sends nothing down, and what scatters below it sees it from there.
+TEST(Transport, SheetsHaveTwoSides) {
+  Cells cells = cellsOf(ivec3(15), 1.0 / 15, [](Cell& cell, const dvec3& p) {
+    if (std::abs(p.y - 0.5) < 0.03) {
+      cell.extinction.w = 1;
+      cell.scattering = vec4(0.5f, 0.5f, 0.5f, 0);
+    }
+  });
+  for (Cell& cell : cells.cells)
+    for (int c = 0; c < 3; ++c)
+      if (cell.extinction.w > 0) sentOf(cell, 3, c) = 1;  // up
+  const Solution s = solved(cells);
+  EXPECT_NEAR(s.given.x, 1, 1e-4);
+  EXPECT_NEAR(balance(s), 0, 1e-4);
+  const auto phi = [&](int y) { return s.moments[std::size_t((7 * 15 + y) * 15 + 7)].w; };
+  EXPECT_GT(phi(8), 0.5f);
+  EXPECT_EQ(phi(6), 0.0f);
 }
 
 TEST(Transport, AClosedWhiteBoxThatKeepsNothingIsFinite) {

@@ -162,8 +162,8 @@ void Preview::learnPace() {
     (makesPictures(*node) ? times.picture : times.maps) += status.cpuMs;
   }
   if (times.picture <= 0 || !picture_) return;
-  const double maps = std::min(picture_->mapsMs, times.picture);  // that it made itself, under environments
-  times.picture -= maps, times.maps += maps;
+  const double beside = std::min(picture_->besideMs, times.picture);
+  times.picture -= beside, times.maps += beside;
   draftTimes_ = times;
   const dvec2 part = current_.region.max - current_.region.min;
   const double pixels = static_cast<double>(picture_->size.x) * picture_->size.y * part.x * part.y;

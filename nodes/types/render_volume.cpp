@@ -158,7 +158,7 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   const auto picture = first.picture();
   std::size_t bytes = 0;  // of the largest
   for (const auto& pass : queue->passes)
-    if (const auto made = pass->picture()) bytes = std::max(bytes, made->color.bytes() + pass->mapBytes());
+    if (const auto made = pass->picture()) bytes = std::max(bytes, made->color.bytes() + pass->bytesBeside());
   ctx.reportGpu(0, bytes);
   if (const auto& r = first.residency(); r.coarsened > 0)
     ctx.warn(

@@ -45,6 +45,24 @@ double shadowCost(const shadow::ShadowMap& shadow) {
   return sum;
 }
 
+/// Of asking all of these lights once, iterations.
+struct LightsCost {
+  double fixed = 0, marched = 0;  ///< of lookups and solids, and of shadow marches
+  double local = 0;               ///< number of those that are no suns
+};
+
+LightsCost costOf(std::span<const shadow::ShadowedLight> lights) {
+  LightsCost out;
+  for (const shadow::ShadowedLight& l : lights) {
+    out.fixed += 2;
+    if (l.light.kind != scene::LightKind::Sun) out.local += 1;
+    if (!l.shadow) continue;
+    out.fixed += double(l.shadow->solids.size());
+    (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? out.marched : out.fixed) += shadowCost(*l.shadow);
+  }
+  return out;
+}
+
 /// The largest sum over the volumes of one tile.
 double mostInTile(ivec2 size, std::span<const residency::PixelBounds> bounds,
                   const std::vector<double>& values) {
@@ -77,14 +95,8 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
   });
   const double most = kDenseSteps + (dense ? 3 : 1) * std::min(mostInTile(o.size, bounds, steps) + stretches,
                                                                STRETCH_MOST_STEPS * stretches);
-  double fixed = 2, shadows = 0, local = 0;
-  for (const shadow::ShadowedLight& l : lights.selected()) {
-    fixed += 2;
-    if (l.light.kind != scene::LightKind::Sun) local += 1;
-    if (!l.shadow) continue;
-    fixed += double(l.shadow->solids.size());
-    (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
-  }
+  const auto [lookups, shadows, local] = costOf(lights.selected());
+  double fixed = 2 + lookups;
   const double overflow = longest > residency::kInRegisters ? longest : 0;
   fixed += overflow * double(lights.selected().size());
   residency::MarchCost cost;
@@ -100,16 +112,11 @@ residency::MarchCost marchCost(const RenderOptions& o, std::span<const volume::I
 }
 
 residency::MarchCost gatherCost(const LightSet& lights) {
-  double fixed = 2 + double(lights.drawnVolumes()), shadows = 0;
-  for (const shadow::ShadowedLight& l : lights.lights()) {
-    fixed += 2;
-    if (!l.shadow) continue;
-    fixed += double(l.shadow->solids.size());
-    (l.shadow->kind == shadow::ShadowMap::Kind::RayMarch ? shadows : fixed) += shadowCost(*l.shadow);
-  }
+  const LightsCost all = costOf(lights.lights());
+  const double fixed = 2 + double(lights.drawnVolumes()) + all.fixed;
   residency::MarchCost cost;
   cost.sample = int(fixed);
-  cost.pixel = fixed + shadows;
+  cost.pixel = fixed + all.marched;
   return cost;
 }
 

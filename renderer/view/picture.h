@@ -19,7 +19,8 @@ struct Picture {
   ivec2 size{0};
   int samples = 0;      ///< finished samples per pixel
   double fraction = 0;  ///< of the whole picture; 1 = final
-  double mapsMs = 0;    ///< what making shadow maps took for it (of suns that stand for environments)
+  double besideMs = 0;  ///< what took as long whatever its size: shadow maps of suns that stand for
+                        ///< environments, cells of scattered light
   std::map<std::string, std::string> metadata;
   std::shared_ptr<const RenderScene> scene;  ///< what it shows; null for a picture made from others
   PictureLayer layer;                        ///< what `color` holds

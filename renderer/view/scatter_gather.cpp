@@ -58,73 +58,77 @@ bool covers(const scene::Solid& solid, const dmat4& localFromWorld, const dvec3&
                                                  : across && std::abs(p.y) <= 0.5;
 }
 
-/// Cells that solids take up, with their albedo, and of each the faces that are open: bits in glow.w, their
-/// number in extinction.w; a cell without any keeps a 1 there.
+/// Cells that solids take up, with their albedo and open faces.
 void markSolids(const scene::SolidList& solids, transport::Cells& out) {
   const transport::Lattice& lattice = out.lattice;
-  const ivec3 n = lattice.cells;
-  const auto each = [&](const auto& body) {
-    std::size_t i = 0;
-    for (int z = 0; z < n.z; ++z)
-      for (int y = 0; y < n.y; ++y)
-        for (int x = 0; x < n.x; ++x, ++i) body(ivec3(x, y, z), i);
-  };
   for (const scene::Solid& s : solids) {
     const dmat4 local = glm::inverse(s.worldFromLocal);
-    each([&](ivec3 p, std::size_t i) {
-      if (!covers(s, local, lattice.min + lattice.cell * (dvec3(p) + 0.5), lattice.cell)) return;
-      out.cells[i].extinction.w = 1;
-      out.cells[i].scattering = vec4(glm::clamp(s.albedo, vec3(0), vec3(1)), 0);
-    });
+    const Box3 box = scene::worldBounds({s});
+    const auto cellOf = [&](const dvec3& p, double room) {
+      return ivec3(glm::clamp((p - lattice.min) / lattice.cell + room, dvec3(0), dvec3(lattice.cells)));
+    };
+    const ivec3 lo = cellOf(box.min, -1), hi = cellOf(box.max, 2);
+    for (int z = lo.z; z < hi.z; ++z)
+      for (int y = lo.y; y < hi.y; ++y)
+        for (int x = lo.x; x < hi.x; ++x) {
+          if (!covers(s, local, lattice.min + lattice.cell * (dvec3(x, y, z) + 0.5), lattice.cell)) continue;
+          transport::Cell& cell = out.cells[(std::size_t(z) * std::size_t(lattice.cells.y) + std::size_t(y)) *
+                                                std::size_t(lattice.cells.x) +
+                                            std::size_t(x)];
+          cell.extinction.w = 1;
+          cell.scattering = vec4(glm::clamp(s.albedo, vec3(0), vec3(1)), 0);
+        }
   }
-  each([&](ivec3 p, std::size_t i) {
-    transport::Cell& cell = out.cells[i];
-    if (cell.extinction.w <= 0) return;
-    int faces = 0;
-    for (int face = 0; face < 6; ++face) {
-      ivec3 q = p;
-      q[face / 2] += face & 1 ? 1 : -1;
-      const bool outside = q[face / 2] < 0 || q[face / 2] >= n[face / 2];
-      const std::size_t at =
-          (std::size_t(q.z) * std::size_t(n.y) + std::size_t(q.y)) * std::size_t(n.x) + std::size_t(q.x);
-      if (outside || out.cells[at].extinction.w <= 0) faces |= 1 << face;
-    }
-    cell.glow.w = float(faces);
-  });
-  for (transport::Cell& cell : out.cells)
-    if (cell.extinction.w > 0)
-      cell.extinction.w = std::max(1.0f, float(__builtin_popcount(unsigned(cell.glow.w))));
+  transport::markOpenFaces(out);
+}
+
+/// Joins those that touch, until none do.
+void joinTouching(std::vector<Part>& parts) {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (std::size_t j = parts.size(); j-- > i + 1;) {
+        if (!touch(parts[i].box, parts[j].box)) continue;
+        parts[i] = joined(parts[i], parts[j]);
+        parts.erase(parts.begin() + std::ptrdiff_t(j));
+        again = true;
+      }
+  }
+}
+
+/// What of the solids may light the media much: as far away as these are large.
+Box3 nearBy(const scene::SolidList& solids, const Part& media) {
+  const Box3 all = scene::worldBounds(solids);
+  const dvec3 room(media.edge());
+  Box3 out{glm::max(all.min, media.box.min - room), glm::min(all.max, media.box.max + room)};
+  return out.empty() ? Box3{} : out;
 }
 
 }  // namespace
 
 std::vector<transport::Lattice> scatterLattices(const volume::InstanceList& volumes,
+                                                const scene::SolidList& solids,
                                                 const ScatterOptions& scatter) {
   std::vector<Part> parts;
-  Part all;
+  Part media;
   for (const volume::Instance& i : volumes) {
     if (!scatters(i)) continue;
     const Box3 box = volume::worldBulkBounds(i);
     if (box.empty()) continue;
     const scene::ScaledPhase scaled = scene::scaledPhase(i.medium.phase);
     parts.push_back({box, volume::majorant(i) * (1 - scaled.forward) * (1 - scaled.cosine)});
-    all = joined(all, parts.back());
+    media = joined(media, parts.back());
   }
-  if (all.box.empty()) return {};
+  if (media.box.empty()) return {};
+  Part all = media;
+  all.box.extend(nearBy(solids, media));
   std::vector<transport::Lattice> out{latticeOf(all, scatter.cells)};
-  // What light turns in over a cell wants finer ones; what of that touches belongs together.
-  std::erase_if(parts, [&](const Part& p) { return p.turning * out[0].cell <= 2 * kTurning; });
-  for (bool again = true; again;) {
-    again = false;
-    for (std::size_t i = 0; i < parts.size() && !again; ++i)
-      for (std::size_t j = i + 1; j < parts.size() && !again; ++j)
-        if (touch(parts[i].box, parts[j].box)) {
-          parts[i] = joined(parts[i], parts[j]);
-          parts.erase(parts.begin() + std::ptrdiff_t(j));
-          again = true;
-        }
-  }
+  // What light turns in over a cell wants finer ones, and so has all that solids made room around; what of
+  // that touches belongs together.
   constexpr double kMuchSmaller = 0.7;
+  if (media.edge() > kMuchSmaller * all.edge())
+    std::erase_if(parts, [&](const Part& p) { return p.turning * out[0].cell <= 2 * kTurning; });
+  joinTouching(parts);
   std::erase_if(parts, [&](const Part& p) { return p.edge() > kMuchSmaller * all.edge(); });
   // The largest ones, if there are too many.
   std::stable_sort(parts.begin(), parts.end(),
@@ -147,25 +151,23 @@ vec3 scaledLight(const volume::InstanceList& volumes) {
   return weights > 0 ? vec3(sum / weights) : vec3(1);
 }
 
-ScatterGather::ScatterGather(std::shared_ptr<const RenderScene> scene, const transport::Lattice& lattice,
-                             bool emission, std::shared_ptr<KeptSuns> kept)
-    : scene_(std::move(scene)),
-      lattice_(lattice),
+ScatterGather::ScatterGather(const transport::Lattice& lattice, const RenderScene& scene, LightSet& lights,
+                             bool emission)
+    : lattice_(lattice),
+      lights_(lights),
+      solids_(scene.solids),
       emission_(emission),
-      sampled_(layerLights(*scene_)),
-      lightScale_(scaledLight(scene_->volumes)) {
-  sampled_.keep(std::move(kept));
-}
+      lightScale_(scaledLight(scene.volumes)) {}
 
 Result<void> ScatterGather::start(const shadow::Gpu& gpu) {
   transport::Cells blank{lattice_, std::vector<transport::Cell>(lattice_.count())};
-  markSolids(scene_->solids, blank);
+  markSolids(solids_, blank);
   PILEUS_CHECK(cells_.assign(std::span<const transport::Cell>(blank.cells)));
-  std::vector<std::vector<int>> lists(1, std::vector<int>(lights_->drawnVolumes()));
+  std::vector<std::vector<int>> lists(1, std::vector<int>(lights_.drawnVolumes()));
   std::iota(lists[0].begin(), lists[0].end(), 0);
   run_.list(lists);
-  budget_.plan(gatherCost(*lights_), gpu.device);
-  run_.cursor = gl::RegionCursor({lattice_.cells.x, lattice_.cells.y * lattice_.cells.z}, gpu.device, 4);
+  budget_.plan(gatherCost(lights_), gpu.device);
+  run_.cursor = gl::RegionCursor({lattice_.cells.x, lattice_.cells.y * lattice_.cells.z}, gpu.device);
   sample_ = 0;
   return {};
 }
@@ -173,16 +175,11 @@ Result<void> ScatterGather::start(const shadow::Gpu& gpu) {
 Result<double> ScatterGather::step(const shadow::Gpu& gpu, double ms) {
   if (sample_ >= SCATTER_SAMPLES) return 1.0;
   const Stopwatch clock;
-  if (!lights_) {
-    PILEUS_TRY(const double made, sampled_.make(gpu, std::nullopt, ms));
-    if (made < 1) return 0.1 * made;
-    lights_.emplace(sampled_.lights(), scene_->volumes, scene_->solids, emission_);
-  }
   const dvec3 origin = lattice_.min + 0.5 * lattice_.cell * dvec3(lattice_.cells);
-  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, lights_->volumes(), ms, origin));
-  if (residency.fraction < 1) return 0.1 + 0.1 * residency.fraction;
+  PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, lights_.volumes(), ms, origin));
+  if (residency.fraction < 1) return 0.1 * residency.fraction;
   if (sample_ < 0) PILEUS_CHECK(start(gpu));
-  PILEUS_CHECK(lights_->bind(gpu.store, run_.table(), run_.origin()));
+  PILEUS_CHECK(lights_.bind(gpu.store, run_.table(), run_.origin()));
   do {
     PILEUS_TRY(const bool drawn, dispatch(gpu));
     if (!drawn) continue;
@@ -193,11 +190,11 @@ Result<double> ScatterGather::step(const shadow::Gpu& gpu, double ms) {
   } while (sample_ < SCATTER_SAMPLES && clock.ms() < ms);
   return sample_ >= SCATTER_SAMPLES
              ? 1.0
-             : std::min(0.2 + 0.8 * (sample_ + run_.cursor.fraction()) / SCATTER_SAMPLES, 0.9999);
+             : std::min(0.1 + 0.9 * (sample_ + run_.cursor.fraction()) / SCATTER_SAMPLES, 0.9999);
 }
 
 Result<bool> ScatterGather::dispatch(const shadow::Gpu& gpu) {
-  gl::Defines defines = lights_->defines();
+  gl::Defines defines = lights_.defines();
   for (const auto& [name, value] : run_.defines()) defines.emplace_back(name, value);
   defines.insert(defines.end(),
                  {{"EMISSION", emission_}, {"RESUME", budget_.resumes()}, {"REACHED", budget_.reached()}});
@@ -208,7 +205,7 @@ Result<bool> ScatterGather::dispatch(const shadow::Gpu& gpu) {
   program->set("latticeMin", vec3(lattice_.min - run_.origin()));
   program->set("latticeCell", float(lattice_.cell));
   program->set("sampleIndex", sample_);
-  program->set("lightCount", std::max(int(lights_->lights().size()), 1));
+  program->set("lightCount", std::max(int(lights_.lights().size()), 1));
   program->set("lightScale", lightScale_);
   return run_.dispatch(*program, &budget_);
 }

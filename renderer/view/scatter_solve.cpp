@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "renderer/base/profile.h"
 
@@ -66,48 +67,74 @@ std::shared_ptr<const ScatterField> ScatterCache::find(const Key& key) {
 void ScatterCache::keep(const Key& key, std::shared_ptr<const ScatterField> field) {
   ++solved_;
   fields_.emplace_front(key, std::move(field));
-  if (fields_.size() > kMost) fields_.pop_back();
+  std::size_t bytes = 0;
+  const auto last = std::find_if(fields_.begin(), fields_.end(),
+                                 [&](const auto& f) { return (bytes += f.second->bytes()) > kMostBytes; });
+  if (last != fields_.end()) fields_.erase(last == fields_.begin() ? std::next(last) : last, fields_.end());
 }
 
 ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
                            std::shared_ptr<KeptSuns> kept)
-    : scene_(std::move(scene)), cache_(std::move(cache)), kept_(std::move(kept)) {
+    : scene_(std::move(scene)), cache_(std::move(cache)), sampled_(layerLights(*scene_)) {
+  sampled_.keep(std::move(kept));
   emission_ = scene_->options.layer.kind != Kind::Light && emits(*scene_);
   key_ = keyOf(*scene_, emission_);
   if (cache_) field_ = cache_->find(key_);
-  if (!field_) lattices_ = scatterLattices(scene_->volumes, scene_->options.scatter);
+  if (!field_) lattices_ = scatterLattices(scene_->volumes, scene_->solids, scene_->options.scatter);
+}
+
+Result<double> ScatterSolve::gather(const shadow::Gpu& gpu, double ms) {
+  const Stopwatch clock;
+  const auto left = [&] { return std::max(ms - clock.ms(), 0.0); };
+  constexpr double kLights = 0.2;  // share of the work
+  if (!lights_) {
+    PILEUS_TRY(const double lit, sampled_.make(gpu, std::nullopt, ms));
+    gpuMs_ += sampled_.takeGpuMs();
+    if (lit < 1) return kLights * lit;
+    lights_.emplace(sampled_.lights(), scene_->volumes, scene_->solids, emission_);
+  }
+  double gathered = 0;  // of the lattice at hand
+  while (cells_.size() < lattices_.size()) {
+    if (!gather_)
+      gather_ = std::make_unique<ScatterGather>(lattices_[cells_.size()], *scene_, *lights_, emission_);
+    PILEUS_TRY(gathered, gather_->step(gpu, left()));
+    gpuMs_ += gather_->takeGpuMs();
+    if (gathered >= 1) cells_.push_back(gather_->cells()), gather_ = nullptr, gathered = 0;
+    if (clock.ms() >= ms) break;
+  }
+  return kLights + (1 - kLights) * (double(cells_.size()) + gathered) / double(lattices_.size());
+}
+
+Result<void> ScatterSolve::finish(std::vector<transport::Solution> solutions) {
+  PILEUS_TRY(ScatterField field, ScatterField::create(std::move(solutions), scaledLight(scene_->volumes)));
+  field_ = std::make_shared<const ScatterField>(std::move(field));
+  if (cache_) cache_->keep(key_, field_);
+  job_ = nullptr;
+  return {};
 }
 
 Result<double> ScatterSolve::step(const shadow::Gpu& gpu, double ms) {
+  constexpr double kGathering = 0.5;  // share of the work
   if (field_) return 1.0;
-  const auto keep = [&](std::vector<transport::Solution> solutions) -> Result<double> {
-    PILEUS_TRY(ScatterField field, ScatterField::create(std::move(solutions), scaledLight(scene_->volumes)));
-    field_ = std::make_shared<const ScatterField>(std::move(field));
-    if (cache_) cache_->keep(key_, field_);
-    job_ = nullptr;
+  if (lattices_.empty()) {
+    PILEUS_CHECK(finish({}));
     return 1.0;
-  };
-  if (lattices_.empty()) return keep({});
+  }
   if (!job_) {
     const Stopwatch clock;
-    while (cells_.size() < lattices_.size()) {
-      if (!gather_)
-        gather_ = std::make_unique<ScatterGather>(scene_, lattices_[cells_.size()], emission_, kept_);
-      PILEUS_TRY(const double gathered, gather_->step(gpu, std::max(ms - clock.ms(), 0.0)));
-      gpuMs_ += gather_->takeGpuMs();
-      if (gathered >= 1) cells_.push_back(gather_->cells()), gather_ = nullptr;
-      if (clock.ms() >= ms && cells_.size() < lattices_.size())
-        return 0.5 * (double(cells_.size()) + (gathered < 1 ? gathered : 0)) / double(lattices_.size());
-    }
+    PILEUS_TRY(const double gathered, gather(gpu, ms));
+    ms_ += clock.ms();
+    if (cells_.size() < lattices_.size()) return kGathering * gathered;
     job_ = looseJob<std::vector<transport::Solution>>(
         [cells = std::move(cells_), residual = scene_->options.scatter.residual](JobControl& control) {
           return solveAll(cells, residual, control);
         });
   }
   if (std::isinf(ms)) job_->wait();
-  if (!job_->done()) return 0.5 + 0.49 * job_->progress();
+  if (!job_->done()) return kGathering + (0.99 - kGathering) * job_->progress();
   if (!job_->result()) return job_->result().error();
-  return keep(job_->result().value());
+  PILEUS_CHECK(finish(job_->result().value()));
+  return 1.0;
 }
 
 }  // namespace pileus::view

@@ -3,8 +3,10 @@
 // solved for in a job, and kept for as long as what it was made of stays the same. GL thread.
 #include <list>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "renderer/view/sampled_lights.h"
 #include "renderer/view/scatter_field.h"
 #include "renderer/view/scatter_gather.h"
 
@@ -19,7 +21,7 @@ class ScatterCache {
   int solved() const { return solved_; }  ///< how often something was kept
 
  private:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMostBytes = std::size_t(64) << 20;         ///< beyond that the last one alone
   std::list<std::pair<Key, std::shared_ptr<const ScatterField>>> fields_;  ///< the last one used first
   int solved_ = 0;
 };
@@ -35,11 +37,16 @@ class ScatterSolve {
   /// Once step() said 1.
   const std::shared_ptr<const ScatterField>& field() const { return field_; }
   double takeGpuMs() { return std::exchange(gpuMs_, 0.0); }
+  double ms() const { return ms_; }  ///< that step() took, without the job
 
  private:
+  /// The lights, and the cells of all lattices: the fraction done.
+  Result<double> gather(const shadow::Gpu& gpu, double ms);
+  Result<void> finish(std::vector<transport::Solution> solutions);
   std::shared_ptr<const RenderScene> scene_;
   std::shared_ptr<ScatterCache> cache_;
-  std::shared_ptr<KeptSuns> kept_;
+  SampledLights sampled_;  ///< of environments the middles
+  std::optional<LightSet> lights_;
   Key key_;
   std::vector<transport::Lattice> lattices_;
   std::vector<transport::Cells> cells_;    ///< of those that are gathered
@@ -47,7 +54,7 @@ class ScatterSolve {
   bool emission_ = false;
   LooseJob<std::vector<transport::Solution>> job_;
   std::shared_ptr<const ScatterField> field_;
-  double gpuMs_ = 0;
+  double gpuMs_ = 0, ms_ = 0;
 };
 
 }  // namespace pileus::view

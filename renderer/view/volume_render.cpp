@@ -101,8 +101,13 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
       PILEUS_TRY(residency_, march_.prepare(gpu, scene_->options, *lights_, left));
       if (residency_.fraction < 1) break;
       if (!picture_) PILEUS_CHECK(start(gpu));
-      ready = true;
     }
+    // Maps may have moved since, and other lights are taken behind a part.
+    if (!ready || parts() > 1) {
+      select(part_);
+      PILEUS_CHECK(lights_->bind(gpu.store, march_.run.table(), march_.run.origin()));
+    }
+    ready = true;
     PILEUS_TRY(const bool drawn, dispatch(gpu));
     if (!drawn || ++part_ < parts()) continue;
     part_ = 0;
@@ -119,15 +124,13 @@ Result<double> VolumeRenderPass::step(const shadow::Gpu& gpu, double ms) {
   const double half = sampled_.vary() ? 0.5 : 0;
   const double within = done ? 0 : half * lit_ + (1 - half) * cursor.fraction();
   picture_->fraction = (picture_->samples + within) / samples;
-  picture_->mapsMs = sampled_.ms();
+  picture_->besideMs = sampled_.ms() + (scatter_ ? scatter_->ms() : 0);
   return done ? 1.0 : progress();
 }
 
 Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
-  select(part_);
   residency::MarchBudget& budget = budgets_[part_];
-  PILEUS_CHECK(lights_->bind(gpu.store, march_.run.table(), march_.run.origin()));
   const int lights = std::max(int(lights_->selected().size()), 1);
   const bool depth = o.layer.kind == PictureLayer::Kind::Depth, first = part_ == 0;
   const int octaves = o.scatter.kind == Scattering::Octaves && !depth ? kOctaves : 1;

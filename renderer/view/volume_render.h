@@ -1,6 +1,6 @@
 #pragma once
-// Single scattering and emission through any number of overlapping volumes, and opaque solids, under any
-// number of shadowed lights, environments among them; progressive over regions and samples.
+// Scattering, single or of all orders, and emission by any number of overlapping volumes, and opaque solids,
+// under any number of shadowed lights, environments among them; progressive over regions and samples.
 #include <optional>
 #include <vector>
 
@@ -44,8 +44,10 @@ class VolumeRenderPass {
   double takeGpuMs() {
     return march_.run.takeGpuMs() + sampled_.takeGpuMs() + (scatter_ ? scatter_->takeGpuMs() : 0);
   }
-  /// Of the shadow maps of this sample's suns.
-  std::size_t mapBytes() const { return sampled_.bytes(); }
+  /// Of the shadow maps of this sample's suns, and of scattered light.
+  std::size_t bytesBeside() const {
+    return sampled_.bytes() + (scatter_ && scatter_->field() ? scatter_->field()->bytes() : 0);
+  }
   /// What it is at before there is a picture: "Uploading bricks".
   std::string doing() const;
 

@@ -16,17 +16,21 @@ struct ScatterPlace {
   float next;
 };
 
-// In the finest lattice that holds it.
-ScatterPlace scatterPlace(vec3 p) {
+// The finest one that holds a place.
+int scatterLattice(vec3 p) {
   int chosen = 0;
   for (int i = 1; i < SCATTER_LATTICES; ++i) {
     vec3 q = (p - scatterMin[i].xyz) / scatterMin[i].w, size = vec3(scatterCells[i].xyz);
     bool inside = i < scatterCount && all(greaterThan(q, vec3(0.0))) && all(lessThan(q, size));
     chosen = inside ? i : chosen;
   }
-  vec3 size = vec3(scatterCells[chosen].xyz);
-  vec3 q = clamp((p - scatterMin[chosen].xyz) / scatterMin[chosen].w, vec3(0.5), size - 0.5);
-  return ScatterPlace(q + vec3(0.0, 0.0, float(scatterCells[chosen].w)), size.z);
+  return chosen;
+}
+
+ScatterPlace scatterPlace(int lattice, vec3 p) {
+  vec3 size = vec3(scatterCells[lattice].xyz);
+  vec3 q = clamp((p - scatterMin[lattice].xyz) / scatterMin[lattice].w, vec3(0.5), size - 0.5);
+  return ScatterPlace(q + vec3(0.0, 0.0, float(scatterCells[lattice].w)), size.z);
 }
 
 // xyz: radiance times direction, w: radiance, over all directions.
@@ -38,7 +42,7 @@ vec4 scatterMoment(ScatterPlace at, int channel) {
 // What of it is scattered at p into direction d, per metre: by scaled scattering, and that times the mean
 // cosine [1/m].
 vec3 scatteredAgain(vec3 p, vec3 d, vec3 scattering, vec3 forward) {
-  ScatterPlace at = scatterPlace(p);
+  ScatterPlace at = scatterPlace(scatterLattice(p), p);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 3; ++c) {
     vec4 m = scatterMoment(at, c);
@@ -49,7 +53,8 @@ vec3 scatteredAgain(vec3 p, vec3 d, vec3 scattering, vec3 forward) {
 
 // What falls of it on a surface at p, looked up a cell off it, where none of its own cells are [W/m^2].
 vec3 scatteredOnto(vec3 p, vec3 normal) {
-  ScatterPlace at = scatterPlace(p + scatterMin[0].w * normal);
+  int lattice = scatterLattice(p);
+  ScatterPlace at = scatterPlace(lattice, p + scatterMin[lattice].w * normal);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 3; ++c) {
     vec4 m = scatterMoment(at, c);

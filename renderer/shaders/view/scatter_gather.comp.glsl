@@ -1,6 +1,6 @@
 // What the cells of a lattice hold of media, and what of the lights is scattered there for the first time:
 // one of SCATTER_SAMPLES places of each cell a dispatch. An invocation has a cell: x of the region is its x,
-// y is y + z * cells.y. Solid cells (known beforehand) get what their open faces send back of the lights.
+// y is y + z * cells.y. Solid cells (known beforehand) get what each open face sends back of the lights.
 // Variant constants: those of lib/light_transmittance.glsl and, of lib/stretch.glsl, EMISSION.
 #include "shared/scatter.h"
 #include "lib/camera.glsl"
@@ -103,12 +103,12 @@ void gatherMedium(int index, ivec3 cell, bool begins) {
   } while (l < lightCount);
 }
 
-// The open faces are bits of glow.w, their number extinction.w.
+// What a face sends back of the lights: transport::sentOf(). Open faces are bits of glow.w.
 void gatherSolid(int index, ivec3 cell) {
-  int faces = int(cells[index].glow.w);
-  if (sampleIndex >= 6 || (faces & (1 << sampleIndex)) == 0) return;
+  int face = sampleIndex;
+  if (face >= 6 || (int(cells[index].glow.w) & (1 << face)) == 0) return;
   vec3 normal = vec3(0.0);
-  normal[sampleIndex >> 1] = (sampleIndex & 1) == 0 ? -1.0 : 1.0;
+  normal[face >> 1] = (face & 1) == 0 ? -1.0 : 1.0;
   vec3 p = latticeMin + latticeCell * (vec3(cell) + 0.5 + 0.501 * normal);
   int l = 0;
   do {
@@ -117,8 +117,14 @@ void gatherSolid(int index, ivec3 cell) {
       float facing = max(dot(normal, i.towards), 0.0), T = 0.0;
       if (facing > 0.0) T = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, true);
       lightDone(l);
-      vec3 sent = cells[index].scattering.rgb * facing * scaledArriving(l, p, T, i);
-      if (!paused) cells[index].forward.rgb += sent / cells[index].extinction.w;
+      if (!paused) {
+        vec3 sent = cells[index].scattering.rgb * facing * scaledArriving(l, p, T, i);
+        for (int c = 0; c < 3; ++c) {
+          if (face < 4) cells[index].first[c][face] += sent[c];
+          else if (face == 4) cells[index].forward[c] += sent[c];
+          else cells[index].glow[c] += sent[c];
+        }
+      }
     }
     ++l;
   } while (l < lightCount);

@@ -1,17 +1,16 @@
-// Single scattering, front to back: L = integral of T_cam sigma_s p E T_light ds, one sample per pixel and
-// dispatch, averaged into the target. Over a step the medium is what it is in its middle; light is looked up
-// where steps begin and end. The march ends at the nearest solid, which adds T_cam albedo / pi SUM E
-// cos T_light. What emits adds its radiance per metre to the source, and lights nothing.
-// Behind all that lies what is seen of environments.
-// With SCATTER_GRID light that has been scattered before comes from a lattice of its moments
-// (view/scatter_field.h), and what peaks of phase functions scatter forward counts as going straight on, on
-// all ways (Nakajima and Tanaka 1988): so what is scattered once has its exact phase function still.
-// With OCTAVES so many sums stand for it, each with less light, depth and direction than the one before
-// (Wrenninge 2013).
+// Light that is scattered towards the eye, front to back: L = integral of T_cam sigma_s p E T_light ds, one
+// sample per pixel and dispatch, averaged into the target. Over a step the medium is what it is in its
+// middle; light is looked up where steps begin and end. The march ends at the nearest solid, which adds
+// T_cam albedo / pi SUM E cos T_light. What emits adds its radiance per metre to the source. Behind all that
+// lies what is seen of environments.
+// With SCATTER_GRID light that was scattered before comes from moments on lattices (lib/scatter_field.glsl;
+// what emits is in them), and peaks of phase functions count as going straight on, on all ways: what one
+// scattering brings then is in lib/peak.glsl. Else what emits lights nothing.
+// With OCTAVES so many sums stand for all orders, each with less light, depth and direction than the one
+// before (Wrenninge 2013).
 // Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or
-// 0: lightCount), REACHED (at least
-// as many), DEPTH (1: no light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
-// lib/light_transmittance.glsl.
+// 0: lightCount), REACHED (at least as many), DEPTH (1: no light, but the mean depth of what scatters), those
+// of lib/camera_march.glsl and of lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
 #ifndef SCATTER_GRID
 #define SCATTER_GRID 0
@@ -103,11 +102,60 @@ vec3 scattering(Stretch s, StretchSample x, float cosine, float narrow) {
   return sum;
 }
 
-// The same of what light l sends, over a step; phase functions with `contrast` of their directions. Light
+#if SCATTER_GRID
+const float kOneDirection = 0.999;  // mean cosine of what is a single one
+
+// Scattering of one volume within peaks alone. Next to the directions that a light stands for, whose mean
+// cosine is `narrow`, peaks have none.
+vec3 peaks(vec4 albedo, vec4 medium, int v, float cosine, float narrow, vec3 depth) {
+  vec3 sum;
+  vec2 scaled = scaledPhaseOf(v);
+  if (scaled.x <= 0.0) {
+    // No peak: what is not linear in the cosine.
+    float smooth_ = (1.0 + 3.0 * narrow * cosine * scaled.y) / (4.0 * 3.14159265358979);
+    sum = vec3(phaseOf(v, albedo.w, cosine, narrow) - smooth_);
+  } else if (narrow < kOneDirection) {
+    vec3 much = (1.0 - exp(-depth)) / max(depth, 1e-3);
+    vec3 share = mix(much, 1.0 - 0.5 * depth, 1.0 - step(1e-3, depth));
+    sum = scaled.x * phaseHg(cosine, narrow) * share;
+  } else {
+    int first = int(volumeRow(v, 15).w);
+    sum = vec3(scatteredPeak(first, cosine, depth.r));
+    if (depth.g != depth.r || depth.b != depth.r)
+      sum.gb = vec2(scatteredPeak(first, cosine, depth.g), scatteredPeak(first, cosine, depth.b));
+  }
+  return medium.w * (albedo.rgb * medium.rgb) * sum;
+}
+
+// What one scattering brings along scaled ways: by what of phase functions is smooth, or within peaks alone,
+// of which `depth` is passed.
+vec3 scatteredOnce(Stretch s, StretchSample x, float cosine, float narrow, vec3 depth) {
+  vec3 sum = (x.scattering + 3.0 * narrow * cosine * x.forward) / (4.0 * 3.14159265358979);
+  for (int k = 0; k < ACTIVE; ++k)
+    if (k < s.count && x.media[k].w > 0.0)
+      sum += peaks(s.albedo[k], x.media[k], s.ids[k], cosine, narrow, depth);
+  if (kOverflow) {
+    for (int item = s.rest; item < s.range.y; ++item) {
+      VolumeRay ray;
+      int v = tileItem(item);
+      if (isActive(s, item, ray))
+        sum += peaks(albedoOf(v), mediumAt(ray, middleOf(x)), v, cosine, narrow, depth);
+    }
+  }
+  return max(sum, 0.0);
+}
+#else
+vec3 scatteredOnce(Stretch s, StretchSample x, float cosine, float narrow, vec3 depth) {
+  return scattering(s, x, cosine, narrow);
+}
+#endif
+
+// What one scattering brings of what light l sends, over a step; phase functions have `contrast` of their
+// directions. Light
 // travels along -towards and is scattered into -d: the
 // cosine is that between the two directions of travel. A near light's turns on the way; at an angle a it is
 // -sin a, and each angle has the same part in 1/r^2.
-vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
+vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast, vec3 depth) {
 #if LOCAL_LIGHTS
   bool sun = lights[l].items.w == LIGHT_SUN;
   // Two points of Gauss in parts of a quarter radian: 0.5 % off at g = 0.8.
@@ -117,13 +165,13 @@ vec3 scattering(Stretch s, StretchSample x, int l, Passage q, float contrast) {
   vec3 sum = vec3(0.0);
   do {
     float part = points == 1 ? 0.5 : (float(i / 2) + 0.5 + ((i & 1) == 0 ? -kGauss : kGauss)) / parts;
-    sum += scattering(s, x, sun ? dot(lights[l].towards.xyz, s.d) : -sin(q.angles.x + part * turn),
-                      contrast * (sun ? lights[l].towards.w : 1.0));
+    sum += scatteredOnce(s, x, sun ? dot(lights[l].towards.xyz, s.d) : -sin(q.angles.x + part * turn),
+                         contrast * (sun ? lights[l].towards.w : 1.0), depth);
     ++i;
   } while (i < points);
   return sum / float(points);
 #else
-  return scattering(s, x, dot(lights[l].towards.xyz, s.d), contrast * lights[l].towards.w);
+  return scatteredOnce(s, x, dot(lights[l].towards.xyz, s.d), contrast * lights[l].towards.w, depth);
 #endif
 }
 
@@ -152,54 +200,16 @@ Through counted(float transmittance) {
 #endif
 }
 
+// The optical depth of peaks on both ways to the middle of a step, where so much of the light arrives.
+vec3 peaksPassed(StretchSample x, float ofLight) {
 #if SCATTER_GRID
-const float kOneDirection = 0.999;  // mean cosine of what is a single one
-
-// The optical depth of peaks on the way of light to where transmittances are those.
-vec3 peaksPassed(vec3 seen, float unscaled, float ofLight) {
+  float unscaled = clear * exp(-0.5 * depthOf(x));
+  vec3 seen = T * sqrt(through(x));
   return max(log(max(seen, 1e-30)) - log(max(unscaled, 1e-30)) + (lightScale - 1.0) * log(ofLight), 0.0);
-}
-
-// Scattering of one volume within peaks alone. Next to the directions that a light stands for, whose mean
-// cosine is `narrow`, peaks have none.
-vec3 peaks(vec4 albedo, vec4 medium, int v, float cosine, float narrow, vec3 depth) {
-  vec3 sum;
-  vec2 scaled = scaledPhaseOf(v);
-  if (scaled.x <= 0.0) {
-    // No peak: what is not linear in the cosine.
-    float smooth_ = (1.0 + 3.0 * narrow * cosine * scaled.y) / (4.0 * 3.14159265358979);
-    sum = vec3(phaseOf(v, albedo.w, cosine, narrow) - smooth_);
-  } else if (narrow < kOneDirection) {
-    vec3 much = (1.0 - exp(-depth)) / max(depth, 1e-3);
-    vec3 share = mix(much, 1.0 - 0.5 * depth, 1.0 - step(1e-3, depth));
-    sum = scaled.x * phaseHg(cosine, narrow) * share;
-  } else {
-    int first = int(volumeRow(v, 15).w);
-    sum = vec3(scatteredPeak(first, cosine, depth.r));
-    if (depth.g != depth.r || depth.b != depth.r)
-      sum.gb = vec2(scatteredPeak(first, cosine, depth.g), scatteredPeak(first, cosine, depth.b));
-  }
-  return medium.w * (albedo.rgb * medium.rgb) * sum;
-}
-
-// What one scattering brings in all where ways are scaled: by what of phase functions is smooth, or within
-// their peaks alone, which are passed through `depth` of them.
-vec3 scatteredOnce(Stretch s, StretchSample x, float cosine, float narrow, vec3 depth) {
-  vec3 sum = (x.scattering + 3.0 * narrow * cosine * x.forward) / (4.0 * 3.14159265358979);
-  for (int k = 0; k < ACTIVE; ++k)
-    if (k < s.count && x.media[k].w > 0.0)
-      sum += peaks(s.albedo[k], x.media[k], s.ids[k], cosine, narrow, depth);
-  if (kOverflow) {
-    for (int item = s.rest; item < s.range.y; ++item) {
-      VolumeRay ray;
-      int v = tileItem(item);
-      if (isActive(s, item, ray))
-        sum += peaks(albedoOf(v), mediumAt(ray, middleOf(x)), v, cosine, narrow, depth);
-    }
-  }
-  return max(sum, 0.0);
-}
+#else
+  return vec3(0.0);
 #endif
+}
 
 // Where nothing scatters no light is looked up: the step's emission passes as it is.
 void passStep(Stretch s, inout StretchSample x) {
@@ -260,21 +270,13 @@ bool addScattered(Stretch s, StretchSample x) {
       lightDone(l);
       Passage q = passage(l, from, s.d, x.ds);
       vec3 open = openTo(l, middle) * q.falloff * airPasses(l, middle) * lights[l].emitted.rgb;
-#if SCATTER_GRID
-      float cosine = dot(unshadowed(l, middle).towards, s.d);
-      float narrow = lights[l].items.w == LIGHT_SUN ? lights[l].towards.w : 1.0;
-      float unscaled = clear * exp(-0.5 * depthOf(x));
-      vec3 depth = peaksPassed(T * sqrt(through(x)), unscaled, sqrt(reached[l] * reaches));
-      vec3 once = scatteredOnce(s, x, cosine, narrow, depth);
-#else
-      vec3 once = scattering(s, x, l, q, 1.0);
-#endif
-      vec3 source = once * meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
+      vec3 source = scattering(s, x, l, q, 1.0, peaksPassed(x, sqrt(reached[l] * reaches))) *
+                    meanReaching(counted(reached[l]), counted(reaches), seenDepthOf(x), q);
 #if OCTAVES > 1 && !SCATTER_GRID
       float share = 1.0;
       for (int n = 1; n < OCTAVES; ++n) {
         share *= 0.5;
-        source += share * scattering(s, x, l, q, share) *
+        source += share * scattering(s, x, l, q, share, vec3(0.0)) *
                   meanReaching(pow(reached[l], share), pow(reaches, share), seenDepthOf(x), q);
       }
 #endif
@@ -287,7 +289,7 @@ bool addScattered(Stretch s, StretchSample x) {
   L += T * x.ds * sum;
   if (paused) return true;
 #if SCATTER_GRID
-  if (morePart == 0) x.glow += scatteredAgain(middle, -s.d, x.scattering, x.forward);
+  if (!begin && morePart == 0) x.glow += scatteredAgain(middle, -s.d, x.scattering, x.forward);
 #endif
   if (!begin) L += T * x.ds * meanThrough(x) * x.glow;
   lit = x.sigma > 0.0;

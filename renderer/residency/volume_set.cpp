@@ -23,16 +23,21 @@ class Texels {
   void put(std::size_t index, const gpu::VolumeRecord& record) {
     std::memcpy(texels_.data() + index * VOLUME_ROWS, &record, sizeof record);
   }
-  /// The first texel of what is there once by that key.
-  template <class T>
-  std::size_t add(const Key& content, std::span<const T> rows) {
-    static_assert(sizeof(T) == sizeof(vec4));
+  /// The first texel of what is there once by that key; made by `rows()` where it is not there yet.
+  template <class Rows>
+  std::size_t addMade(const Key& content, const Rows& rows) {
     const auto [it, isNew] = firsts_.emplace(content, texels_.size());
     if (isNew) {
-      texels_.resize(texels_.size() + rows.size());
-      if (!rows.empty()) std::memcpy(&texels_[it->second], rows.data(), rows.size_bytes());
+      const auto& made = rows();
+      static_assert(sizeof(made[0]) == sizeof(vec4));
+      texels_.resize(texels_.size() + made.size());
+      if (!made.empty()) std::memcpy(&texels_[it->second], made.data(), made.size() * sizeof(vec4));
     }
     return it->second;
+  }
+  template <class T>
+  std::size_t add(const Key& content, std::span<const T> rows) {
+    return addMade(content, [&] { return rows; });
   }
   std::vector<vec4> all() { return std::move(texels_); }
 
@@ -59,11 +64,13 @@ vec4 remapRow(const volume::Instance& i, Texels& texels) {
 std::size_t peakRows(const scene::Phase& phase, Texels& texels) {
   Hasher h;
   h.add("peaks").add(phase.first.g).add(phase.first.alpha).add(phase.second.g).add(phase.second.alpha);
-  const std::vector<float> table = scene::scatteredPeaks(phase, PEAK_ANGLES, PEAK_DEPTHS);
-  std::vector<vec4> rows;
-  for (std::size_t i = 0; i < table.size(); i += 4)
-    rows.emplace_back(table[i], table[i + 1], table[i + 2], table[i + 3]);
-  return texels.add(h.add(phase.blend).key(), std::span<const vec4>(rows));
+  return texels.addMade(h.add(phase.blend).key(), [&] {
+    const std::vector<float> table = scene::scatteredPeaks(phase, PEAK_ANGLES, PEAK_DEPTHS);
+    std::vector<vec4> rows;
+    for (std::size_t i = 0; i < table.size(); i += 4)
+      rows.emplace_back(table[i], table[i + 1], table[i + 2], table[i + 3]);
+    return rows;
+  });
 }
 
 constexpr double kFar = 1e30;  ///< metres: no end

@@ -14,7 +14,7 @@ namespace pileus::scene {
 ///   forward/t exp(-t) SUM_m t^m/m! P^(*m)(cosine)   [1/sr]
 ///
 /// so that one scattering along a way whose transmittance is scaled brings in all that and (1 - forward) p'.
-/// At a = sqrt(sin(angle/2)) = i/(angles - 1), and t = kPeakDepth s/(1 - s), s = (j + 0.5)/depths.
+/// At a = sqrt(sin(angle/2)) = i/(angles - 1), and t = kPeakDepth s/(1 - s), s = j/depths.
 std::vector<float> scatteredPeaks(const Phase& p, int angles, int depths);
 inline constexpr double kPeakDepth = 3;
 

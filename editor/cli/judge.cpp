@@ -10,6 +10,7 @@
 #include "renderer/base/profile.h"
 #include "renderer/image/exr.h"
 #include "renderer/truth/judge.h"
+#include "renderer/truth/truth_picture.h"
 
 namespace fs = std::filesystem;
 
@@ -107,7 +108,7 @@ Result<void> run(const JudgeArguments& a) {
   const Stopwatch clock;
   PILEUS_CHECK(checkOut(a));
   PILEUS_TRY(const PictureFile file, openPicture(a.file, a.output, a.size));
-  const int bounces = a.bounces.value_or(truth::claimedBounces(*file.picture));
+  const int bounces = a.bounces.value_or(truth::claimedBounces(*file.picture->scene));
   PILEUS_TRY(image::Image picture, view::readBack(*file.picture));
   truth::JudgePass pass(std::move(picture), *file.picture->scene, {bounces, a.samples, a.seconds});
   MeasureProgress progress;

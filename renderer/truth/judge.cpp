@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "renderer/base/profile.h"
 
@@ -28,13 +27,6 @@ bool counts(const image::Layer& beauty, std::size_t pixel) {
 }
 
 }  // namespace
-
-int claimedBounces(const view::Picture& picture) {
-  const auto found = picture.metadata.find("pathTrace:bounces");
-  if (found != picture.metadata.end()) return std::atoi(found->second.c_str());
-  const bool all = picture.scene && picture.scene->options.scatter.kind == view::Scattering::Grid;
-  return all ? -1 : 0;
-}
 
 JudgePass::JudgePass(image::Image picture, view::RenderScene scene, const JudgeOptions& options)
     : picture_(std::move(picture)), scene_(std::move(scene)), options_(options) {

@@ -42,10 +42,6 @@ struct JudgeFigures {
   long violations = 0, endless = 0;  ///< as view::PathStatistics has them, of all that was traced
 };
 
-/// The bounces that a picture claims to hold: of one that was path-traced its own, -1 where scattered light
-/// was solved for, otherwise 0.
-int claimedBounces(const view::Picture& picture);
-
 class JudgePass {
  public:
   /// `picture`: the beauty first, of the scene's size, read back from what was rendered of the scene.

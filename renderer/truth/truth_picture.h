@@ -27,8 +27,8 @@ constexpr auto enumInfo(TruthKind*) {
 /// Paths of pictures that are compared with one that may be made of paths itself: those share no noise.
 inline constexpr int kJudgePaths = 1 << 28;
 
-/// Of such a scene: of paths as many as those had; of a march all where it has a grid of scattered light,
-/// else 0.
+/// The bounces that a picture of the scene claims to hold, -1: all. Of paths as many as those had; of a march
+/// all where it has a grid of scattered light, else 0.
 inline int claimedBounces(const view::RenderScene& scene) {
   return scene.bounces.value_or(scene.options.scatter.kind == view::Scattering::Grid ? -1 : 0);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "renderer/truth/truth_picture.h"
 #include "tests/support/noise_grid.h"
 #include "tests/support/traced.h"
 
@@ -146,7 +147,7 @@ TEST(Judge, APathTracedPictureSharesNoNoiseWithIt) {
   view::PathTracePass made(scene, options);
   while (made.step(test::renderer().gpu(), 1e9).value() < 1) {
   }
-  EXPECT_EQ(truth::claimedBounces(*made.picture()), 1);
+  EXPECT_EQ(truth::claimedBounces(*made.picture()->scene), 1);
   const image::Image picture = view::readBack(*made.picture()).value();
   const auto halves = made.halves().value();
   EXPECT_LT(image::scaledRelMse(picture, halves[0], halves[1])->value, 0);

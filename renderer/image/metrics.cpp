@@ -195,4 +195,21 @@ Result<ScaledRelMse> scaledRelMse(const Image& a, const Image& b1, const Image& 
   return out;
 }
 
+Image blocksOf(const Image& picture, int edge) {
+  Image out = picture;
+  out.size = picture.size / edge;
+  out.dataOrigin = out.displaySize = ivec2(0);
+  out.layers.resize(1);
+  const int channels = picture.layers[0].channels;
+  std::vector<float>& to = out.layers[0].pixels;
+  to.assign(std::size_t(out.size.x) * std::size_t(out.size.y) * std::size_t(channels), 0.0f);
+  for (int y = 0; y < out.size.y * edge; ++y)
+    for (int x = 0; x < out.size.x * edge; ++x)
+      for (int c = 0; c < channels; ++c)
+        to[std::size_t((y / edge * out.size.x + x / edge) * channels + c)] +=
+            picture.layers[0].pixels[std::size_t((y * picture.size.x + x) * channels + c)] /
+            float(edge * edge);
+  return out;
+}
+
 }  // namespace pileus::image

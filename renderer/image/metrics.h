@@ -44,4 +44,8 @@ struct ScaledRelMse {
 /// sizes, data windows or colours differ, or no pixel counts.
 Result<ScaledRelMse> scaledRelMse(const Image& a, const Image& b1, const Image& b2);
 
+/// Means of the beauty over blocks of `edge` x `edge` pixels; what is left at the right and below is left
+/// out.
+Image blocksOf(const Image& picture, int edge);
+
 }  // namespace pileus::image

@@ -18,20 +18,6 @@ namespace {
 constexpr ivec2 kSize{96, 54};
 constexpr int kBlock = 4;  ///< pixels along an edge of what is averaged before it is compared
 
-image::Image averaged(const image::Image& from) {
-  image::Image out = from;
-  out.size = from.size / kBlock;
-  out.layers.resize(1);
-  std::vector<float>& to = out.layers[0].pixels;
-  to.assign(std::size_t(out.size.x) * std::size_t(out.size.y) * 4, 0.0f);
-  for (int y = 0; y < out.size.y * kBlock; ++y)
-    for (int x = 0; x < out.size.x * kBlock; ++x)
-      for (int c = 0; c < 4; ++c)
-        to[std::size_t((y / kBlock * out.size.x + x / kBlock) * 4 + c)] +=
-            from.layers[0].pixels[std::size_t((y * from.size.x + x) * 4 + c)] / float(kBlock * kBlock);
-  return out;
-}
-
 Result<image::Image> rendered(const shadow::Gpu& gpu, const view::RenderScene& scene) {
   view::VolumeRenderPass pass(scene);
   for (double done = 0; done < 1;) {
@@ -100,7 +86,8 @@ Result<void> benchScattering(const BenchSetup& setup) {
           PILEUS_TRY(const image::Image picture, rendered(gpu, scene));
           const double seconds = clock.ms() / 1000;
           PILEUS_TRY(const image::ScaledRelMse e,
-                     image::scaledRelMse(averaged(picture), averaged(halves[0]), averaged(halves[1])));
+                     image::scaledRelMse(image::blocksOf(picture, kBlock), image::blocksOf(halves[0], kBlock),
+                                         image::blocksOf(halves[1], kBlock)));
           std::printf(" %.4f +- %.4f | %.3f | %.1f |", e.value, e.standardError, e.ratio, seconds);
         }
         std::printf("\n");

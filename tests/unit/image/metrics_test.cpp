@@ -270,5 +270,17 @@ TEST(ScaledRelMse, TheStandardErrorIsOne) {
   }
 }
 
+TEST(BlocksOf, AreMeansAndLeaveOutWhatIsLeft) {
+  Image picture;
+  picture.size = {5, 4};
+  picture.layers = {{"", 3, {}}, {"more", 1, std::vector<float>(20, 7)}};
+  for (int i = 0; i < 5 * 4 * 3; ++i) picture.layers[0].pixels.push_back(float(i % 15 / 3 + i % 3));
+  const Image blocks = blocksOf(picture, 2);
+  EXPECT_EQ(blocks.size, ivec2(2, 2));
+  ASSERT_EQ(blocks.layers.size(), 1u);
+  EXPECT_EQ(blocks.layers[0].pixels,
+            (std::vector<float>{0.5f, 1.5f, 2.5f, 2.5f, 3.5f, 4.5f, 0.5f, 1.5f, 2.5f, 2.5f, 3.5f, 4.5f}));
+}
+
 }  // namespace
 }  // namespace pileus::image

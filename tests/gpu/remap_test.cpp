@@ -40,13 +40,6 @@ std::vector<shadow::ShadowedLight> marched(const volume::InstanceList& volumes) 
   return {{test::sunFrom({0.3, 1, 0.4}, 5), map}};
 }
 
-double largestDifference(const image::Image& a, const image::Image& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.layers[0].pixels.size(); ++i)
-    most = std::max(most, std::abs(double(a.layers[0].pixels[i]) - double(b.layers[0].pixels[i])));
-  return most;
-}
-
 TEST(Remap, SamplesAreThoseOfTheCpu) {
   const auto curves = {table(0.1, 0.9, [](double u) { return 2 * u * u; }),
                        table(0, 1, [](double u) { return 1 - u; }),
@@ -77,7 +70,7 @@ TEST(Remap, AnIdentityTableGivesTheSamePicture) {
   volume::Instance same = plain;
   same.remap =
       table(0, double(plain.grid->maximum), [&](double u) { return u * double(plain.grid->maximum); });
-  EXPECT_LT(largestDifference(look({plain}, marched({plain})), look({same}, marched({same}))), 2e-5);
+  EXPECT_LT(test::largestDifference(look({plain}, marched({plain})), look({same}, marched({same}))), 2e-5);
 }
 
 TEST(Remap, PicturesShowWhatTheReferenceSays) {
@@ -185,7 +178,7 @@ TEST(Remap, PausesAndOverlapsLeaveNoTrace) {
   };
   test::renderer();
   const image::Image whole = picture(residency::MarchBudget::kNever);
-  EXPECT_LT(largestDifference(whole, picture(300)), 1e-5);
+  EXPECT_LT(test::largestDifference(whole, picture(300)), 1e-5);
   EXPECT_GT(*std::max_element(whole.layers[0].pixels.begin(), whole.layers[0].pixels.end()), 0.3f);
 }
 

@@ -98,4 +98,11 @@ image::Image render(const view::RenderOptions& options, const volume::InstanceLi
   return must(view::readBack(*pass.picture()));
 }
 
+double largestDifference(const image::Image& a, const image::Image& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.layers[0].pixels.size(); ++i)
+    most = std::max(most, std::abs(double(a.layers[0].pixels[i]) - double(b.layers[0].pixels[i])));
+  return most;
+}
+
 }  // namespace pileus::test

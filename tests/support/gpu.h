@@ -45,5 +45,7 @@ std::vector<float> texel(const shadow::ShadowBlock& block, ivec2 at);
 /// A picture, run to the end; RGBA floats.
 image::Image render(const view::RenderOptions& options, const volume::InstanceList& volumes,
                     const std::vector<shadow::ShadowedLight>& lights);
+/// Of any pixel and channel of the beauties.
+double largestDifference(const image::Image& a, const image::Image& b);
 
 }  // namespace pileus::test

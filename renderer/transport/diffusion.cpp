@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/transport/sweep.h"
+
 namespace pileus::transport {
 namespace {
 
@@ -142,7 +144,9 @@ Diffusion::Diffusion(const Cells& cells, int c) : work_(std::make_unique<Work>()
   forCells(n, [&](ivec3 p, std::size_t i) {
     const Cell& cell = cells.cells[i];
     const double turning = h * double(cell.extinction[c] - cell.forward[c]);
-    d[at(a, p)] = cell.extinction.w > 0 ? 0.0f : float(1 / (3 * std::max(turning, 1.0 / longest)));
+    const double spread =
+        1 / (3 * std::max(turning, 1.0 / longest)) + Sweep::spread(h * double(cell.extinction[c]));
+    d[at(a, p)] = cell.extinction.w > 0 ? 0.0f : float(spread);
   });
   std::vector<float>* between[3] = {&a.x, &a.y, &a.z};
   const std::size_t strides[3] = {1, a.line, a.layer};

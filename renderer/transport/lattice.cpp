@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/shaders/shared/scatter.h"
+
 namespace pileus::transport {
 
 Lattice latticeOver(const Box3& box, int most) {
@@ -33,6 +35,30 @@ void markOpenFaces(Cells& all) {
         }
         all.cells[i].glow.w = float(faces);
       }
+}
+
+void limitBackward(Cells& all) {
+  constexpr float kMost = -0.5f;
+  for (Cell& cell : all.cells) {
+    if (cell.extinction.w > 0) continue;
+    for (int c = 0; c < 3; ++c) {
+      const float s = cell.scattering[c];
+      if (cell.forward[c] >= kMost * s) continue;
+      cell.scattering[c] = (s - cell.forward[c]) / (1 - kMost);
+      cell.forward[c] = kMost * cell.scattering[c];
+      cell.extinction[c] += cell.scattering[c] - s;
+    }
+  }
+}
+
+void thinDense(Cells& all) {
+  const float most = float(SCATTER_CELL_DEPTH / all.lattice.cell);
+  for (Cell& c : all.cells) {
+    const float deepest = std::max({c.extinction.x, c.extinction.y, c.extinction.z});
+    if (c.extinction.w > 0 || deepest <= most) continue;
+    const float by = most / deepest;
+    c.extinction *= by, c.scattering *= by, c.forward *= by, c.glow *= by;
+  }
 }
 
 }  // namespace pileus::transport

@@ -54,6 +54,15 @@ struct Cells {
 /// Marks the open faces of solid cells (extinction.w).
 void markOpenFaces(Cells& cells);
 
+/// Media that scatter further back than linear phase functions can say (mean cosine below -1/2) get a similar
+/// one: as much absorption and transport extinction, the cosine -1/2.
+void limitBackward(Cells& cells);
+
+/// Media of more than SCATTER_CELL_DEPTH of optical depth per cell become so deep, with the same albedo, mean
+/// cosine and, where they emit, the same radiance: what is dense sends back the same however dense it is, and
+/// its skin, in which that is decided, is then as wide as cells can tell.
+void thinDense(Cells& cells);
+
 /// Of light that has been scattered at least once: in texel [channel][z][y][x] w is the integral of its
 /// radiance over all directions, xyz that of radiance times the direction in which it travels [W/m^2].
 using Moments = std::vector<vec4>;

@@ -106,6 +106,11 @@ Sweep::Sweep(const Cells& cells, int channels) : cells_(cells), channels_(channe
 
 Sweep::~Sweep() = default;
 
+double Sweep::spread(double depth) {
+  const double b = double(slabPart(depth));
+  return (1 - b) / (4 * (1 + b));
+}
+
 double Sweep::halfFlux() {
   const Ordinates set = ordinates();
   double sum = 0;

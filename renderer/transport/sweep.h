@@ -37,6 +37,10 @@ class Sweep {
   dvec3 entered() const { return entered_; }
   /// Irradiance of those faces [W/m^2]; of others 0.
   const std::vector<vec3>& received() const { return received_; }
+  /// By how much sweeps spread light more than they should in cells of that optical depth: a coefficient of
+  /// diffusion, in cells. Between upwind and downwind ends linear radiance is off by (1 - b)/(2 (1 + b)) of
+  /// its slope.
+  static double spread(double depth);
   /// Of a uniform radiance 1 leaving a face into its half space, by these directions; about pi.
   static double halfFlux();
 

@@ -84,6 +84,37 @@ TEST(Lattice, KnowsTheOpenFacesOfSolids) {
   EXPECT_EQ(open(1), 0) << "no solid";
 }
 
+TEST(Lattice, ThinsWhatIsDense) {
+  Cells cells = cellsOf(ivec3(2, 1, 1), 0.5, [](Cell& cell, const dvec3& p) {
+    const float density = p.x < 0.5 ? 1.0f : 1e4f;
+    cell.extinction = vec4(density, 0.5f * density, density, 0);
+    cell.scattering = vec4(0.9f * density, 0.1f * density, 0, 0);
+    cell.forward = vec4(0.3f * density, 0, 0, 0);
+    cell.glow = vec4(5 * density, 0, 0, 0);
+  });
+  const Cell before = cells.cells[0];
+  thinDense(cells);
+  EXPECT_EQ(cells.cells[0].extinction, before.extinction);
+  const Cell& thin = cells.cells[1];
+  EXPECT_FLOAT_EQ(thin.extinction.x * 0.5f, 2) << "optical depth";
+  EXPECT_FLOAT_EQ(thin.scattering.x / thin.extinction.x, 0.9f);
+  EXPECT_FLOAT_EQ(thin.scattering.y / thin.extinction.y, 0.2f);
+  EXPECT_FLOAT_EQ(thin.forward.x / thin.scattering.x, 1 / 3.0f);
+  EXPECT_FLOAT_EQ(thin.glow.x / thin.extinction.x, 5);
+}
+
+TEST(Lattice, LimitsHowFarMediaScatterBack) {
+  Cells cells = cellsOf(ivec3(2, 1, 1), 1,
+                        [](Cell& cell, const dvec3& p) { scatter(cell, 2, 0.75, p.x < 0.5 ? -0.9 : -0.4); });
+  const Cell before = cells.cells[0], mild = cells.cells[1];
+  limitBackward(cells);
+  EXPECT_EQ(cells.cells[1].forward, mild.forward);
+  const Cell& now = cells.cells[0];
+  EXPECT_FLOAT_EQ(now.forward.x / now.scattering.x, -0.5f);
+  EXPECT_FLOAT_EQ(now.extinction.x - now.scattering.x, before.extinction.x - before.scattering.x);
+  EXPECT_FLOAT_EQ(now.extinction.x - now.forward.x, before.extinction.x - before.forward.x);
+}
+
 TEST(Transport, KeepsEnergy) {
   for (const double albedo : {0.5, 0.99, 1.0})
     for (const double depth : {0.01, 1.0, 30.0}) {
@@ -105,6 +136,23 @@ TEST(Transport, NeedsFewSweeps) {
     EXPECT_LE(fast.sweeps, 12) << depth;
     EXPECT_LT(fast.sweeps, slow.sweeps) << depth;
   }
+}
+
+/// However dense cells are: what sweeps themselves spread there is known to diffusion.
+TEST(Transport, DenseCellsNeedFewSweepsToo) {
+  for (const double depth : {10.0, 1e3, 1e4})
+    for (const double albedo : {1.0, 0.9}) {
+      const Cells cells = cellsOf(ivec3(32), 1.0 / 32, [&](Cell& cell, const dvec3& p) {
+        scatter(cell, depth, albedo);
+        const double a = std::exp(-depth * (p.z - 0.5 / 32)), b = std::exp(-depth * (p.z + 0.5 / 32));
+        give(cell, albedo * 32 * (a - b));
+      });
+      const Solution s = solved(cells);
+      std::printf("[ dense ] depth %g, albedo %g: %d sweeps, balance %.1e\n", depth, albedo, s.sweeps,
+                  balance(s));
+      EXPECT_LE(s.sweeps, 8) << depth << " " << albedo;
+      EXPECT_NEAR(balance(s), 0, 3e-3) << depth << " " << albedo;
+    }
 }
 
 /// Largest difference of the integrals of radiance, in parts of their mean where light is sent on.

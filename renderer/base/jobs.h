@@ -2,6 +2,8 @@
 // Cancellable background work. A Job runs once on its own thread; destroying it cancels and joins,
 // but for a LooseJob, which is left to end by itself.
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -57,8 +59,9 @@ class Job {
       {
         const std::lock_guard lock(mutex_);
         result_.emplace(std::move(r));
+        done_.store(true, std::memory_order_release);
       }
-      done_.store(true, std::memory_order_release);
+      ended_.notify_all();
       notifyJobs();
     });
   }
@@ -75,6 +78,11 @@ class Job {
   void wait() {
     if (thread_.joinable()) thread_.join();
   }
+  /// At most so many milliseconds; done()?
+  bool waitFor(double ms) {
+    std::unique_lock lock(mutex_);
+    return ended_.wait_for(lock, std::chrono::duration<double, std::milli>(ms), [&] { return done(); });
+  }
   /// Only after done(). The result stays, so that it can be looked at twice.
   const Result<T>& result() const { return *result_; }
 
@@ -82,6 +90,7 @@ class Job {
   std::unique_ptr<JobControl> control_;
   std::atomic<bool> done_{false};
   std::mutex mutex_;
+  std::condition_variable ended_;
   std::optional<Result<T>> result_;
   std::thread thread_;
 };

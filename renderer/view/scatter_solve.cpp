@@ -75,7 +75,9 @@ void ScatterCache::keep(const Key& key, std::shared_ptr<const ScatterField> fiel
 
 ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
                            std::shared_ptr<KeptSuns> kept)
-    : scene_(std::move(scene)), cache_(std::move(cache)), sampled_(layerLights(*scene_)) {
+    : scene_(std::move(scene)),
+      cache_(std::move(cache)),
+      sampled_(layerLights(*scene_), tintedApart(*scene_)) {
   sampled_.keep(std::move(kept));
   emission_ = scene_->options.layer.kind != Kind::Light && emits(*scene_);
   key_ = keyOf(*scene_, emission_);
@@ -106,7 +108,7 @@ Result<double> ScatterSolve::gather(const shadow::Gpu& gpu, double ms) {
 }
 
 Result<void> ScatterSolve::finish(std::vector<transport::Solution> solutions) {
-  PILEUS_TRY(ScatterField field, ScatterField::create(std::move(solutions), scaledLight(scene_->volumes)));
+  PILEUS_TRY(ScatterField field, ScatterField::create(std::move(solutions)));
   field_ = std::make_shared<const ScatterField>(std::move(field));
   if (cache_) cache_->keep(key_, field_);
   job_ = nullptr;
@@ -131,7 +133,7 @@ Result<double> ScatterSolve::step(const shadow::Gpu& gpu, double ms) {
         });
   }
   if (std::isinf(ms)) job_->wait();
-  if (!job_->done()) return kGathering + (0.99 - kGathering) * job_->progress();
+  if (!job_->waitFor(std::isinf(ms) ? 0 : ms)) return kGathering + (0.99 - kGathering) * job_->progress();
   if (!job_->result()) return job_->result().error();
   PILEUS_CHECK(finish(job_->result().value()));
   return 1.0;

@@ -43,6 +43,7 @@ void addLayers(Passes& passes, const view::RenderScene& scene, const view::Extra
   };
   using Kind = view::PictureLayer::Kind;
   if (wanted.depth) add("depth", {Kind::Depth, 0});
+  if (wanted.orders) add("single", {Kind::Single, 0}), add("multiple", {Kind::Multiple, 0});
   for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i)
     add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
   if (wanted.lights && (view::emits(scene) || view::backdropOf(scene))) add("emission", {Kind::Emission, 0});
@@ -165,6 +166,8 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
         fmt::format("{} of the grids are drawn coarser than they are: their bricks need {}, {} are set aside "
                     "(--gpu-memory)",
                     r.coarsened, gl::neededMib(r.wantedBytes), gl::givenMib(r.budgetBytes)));
+  if (picture && picture->scene && view::tintedApart(*picture->scene))
+    ctx.note("volumes differ in extinction colour: each light has three shadows, one for each channel");
   const auto field = first.scatterField();
   if (field) report(*field, ctx);
   if (queue->fraction >= 1)

@@ -55,8 +55,8 @@ void describe(Describe<In, Out>& d) {
       .range(0, 100)
       .soft(0, 1)
       .help(
-          "Tint of the extinction: what passes takes the other colors. 'Path Trace' follows each channel; "
-          "'Volume Render' and shadow maps take the mean of the three.");
+          "Tint of the extinction: what passes takes the other colors. Where volumes differ in it, 'Volume "
+          "Render' makes three shadows of each light, one for each channel.");
   d.in("albedo", &In::albedo)
       .range(0, 1)
       .help("The scattered part of what is extinguished; 1 absorbs nothing.");

@@ -101,8 +101,7 @@ gpu::VolumeRecord record(const volume::Instance& i, const BrickPool& pool, const
   const scene::Phase& phase = i.medium.phase;
   r.albedo = vec4(i.medium.albedo, float(lobes ? phase.blend : phase.first.g));
   r.phase = vec4(phase.first.g, phase.first.alpha, phase.second.g, phase.second.alpha);
-  const double mean = i.medium.meanExtinction();
-  r.tint = vec4(mean > 0 ? i.medium.extinctionColor * float(i.medium.extinction / mean) : vec3(1), 0);
+  r.tint = vec4(i.medium.tint(), 0);
   if (i.emission) {
     r.boundsMin.w = -1, r.boundsMax.w = 1;
     r.albedo = vec4(i.shape == volume::Shape::Grid ? vec3(1) : vec3(i.emission->at(i.density)), 0);

@@ -12,6 +12,11 @@ struct Medium {
   /// Tint of sigma_t, channel by channel; not negative. What knows no colours of extinction takes their mean.
   vec3 extinctionColor{1.0f};
 
+  /// extinctionColor with the mean 1.
+  vec3 tint() const {
+    const double mean = meanExtinction();
+    return mean > 0 ? extinctionColor * float(extinction / mean) : vec3(1);
+  }
   /// Mean of the channels [1/m per unit of density].
   double meanExtinction() const {
     return extinction * double(extinctionColor.x + extinctionColor.y + extinctionColor.z) / 3;

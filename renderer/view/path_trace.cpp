@@ -64,13 +64,6 @@ std::shared_ptr<const RenderScene> traced(RenderScene scene, int bounces) {
   return std::make_shared<const RenderScene>(std::move(scene));
 }
 
-bool tinted(const volume::InstanceList& volumes) {
-  return std::any_of(volumes.begin(), volumes.end(), [](const volume::Instance& i) {
-    const vec3& c = i.medium.extinctionColor;
-    return !i.emission && (c.r != c.g || c.g != c.b);
-  });
-}
-
 }  // namespace
 
 PathTracePass::PathTracePass(RenderScene scene, const PathOptions& options)
@@ -78,8 +71,11 @@ PathTracePass::PathTracePass(RenderScene scene, const PathOptions& options)
       options_(options),
       lights_(shadowed(*scene_), scene_->volumes, scene_->solids,
               scene_->options.layer.kind != PictureLayer::Kind::Depth, LightSet::Casters::All) {
-  const PictureLayer::Kind kind = scene_->options.layer.kind;
-  emission_ = (kind == PictureLayer::Kind::Beauty || kind == PictureLayer::Kind::Emission) && emits(*scene_);
+  using Kind = PictureLayer::Kind;
+  const PictureLayer& layer = scene_->options.layer;
+  emission_ = (layer.ofAll() || layer.kind == Kind::Emission) && emits(*scene_);
+  if (layer.kind == Kind::Single) options_.orders.y = 0;
+  if (layer.kind == Kind::Multiple) options_.orders.x = 1;
 }
 
 Result<void> PathTracePass::start(const shadow::Gpu& gpu) {

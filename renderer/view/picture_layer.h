@@ -16,15 +16,20 @@ struct PictureLayer {
     Light,     ///< radiance of one light alone, as the beauty
     Emission,  ///< radiance of what emits alone, behind what is in front of it; with those of all lights the
                ///< beauty
+    Single,    ///< the beauty without what was scattered more than once
+    Multiple,  ///< what the beauty has more (or less) than that; alpha as in all of them
   };
   Kind kind = Kind::Beauty;
   int light = 0;  ///< Light: its index in the scene
   bool operator==(const PictureLayer&) const = default;
+  /// Is it made of all lights and of what emits?
+  bool ofAll() const { return kind == Kind::Beauty || kind == Kind::Single || kind == Kind::Multiple; }
 };
 
 /// Layers made beside the beauty, for files.
 struct ExtraLayers {
   bool depth = false, lights = false;  ///< lights: and the emission, where something emits
+  bool orders = false;                 ///< light that was scattered once, and more than once
   bool operator==(const ExtraLayers&) const = default;
 };
 

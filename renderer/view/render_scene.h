@@ -64,6 +64,15 @@ inline bool emits(const RenderScene& scene) {
                      [](const auto& i) { return volume::emits(i); });
 }
 
+/// Does extinction of any of them have a colour?
+bool tinted(const volume::InstanceList& volumes);
+/// Do media that are drawn or cast shadows differ in it? Then each channel needs shadows of its own.
+bool tintedApart(const RenderScene& scene);
+/// Optical depths of a channel, scaled or not (scene::scaledPhase), are so many times those that lights'
+/// shadows know (those of the channel where it has its own). What is scaled differs from medium to medium:
+/// the mean over all that is drawn.
+vec3 lightDepths(const RenderScene& scene, bool scaled);
+
 /// The lights that its layer is made of.
 std::vector<shadow::ShadowedLight> layerLights(const RenderScene& scene);
 /// What cameras see in its layer behind all else: those of its environments that are visible. Null: nothing.

@@ -10,11 +10,33 @@ namespace {
 
 bool isEnvironment(const shadow::ShadowedLight& l) { return l.light.kind == scene::LightKind::Environment; }
 
+/// The media as they are to a channel.
+volume::InstanceList seenBy(int channel, volume::InstanceList volumes) {
+  for (volume::Instance& i : volumes) {
+    i.medium.extinction *= double(i.medium.extinctionColor[channel]);
+    i.medium.extinctionColor = vec3(1);
+  }
+  return volumes;
+}
+
 }  // namespace
 
-SampledLights::SampledLights(std::vector<shadow::ShadowedLight> lights) : all_(std::move(lights)) {
-  for (const shadow::ShadowedLight& l : all_)
-    strata_.push_back(isEnvironment(l) ? scene::strataOf(*l.light.environment) : nullptr);
+SampledLights::SampledLights(const std::vector<shadow::ShadowedLight>& lights, bool byChannel) {
+  for (const shadow::ShadowedLight& l : lights) {
+    const auto strata = isEnvironment(l) ? scene::strataOf(*l.light.environment) : nullptr;
+    const bool apart = byChannel && l.shadow;
+    for (int c = 0; c < (apart ? 3 : 1); ++c) {
+      Asked one{l, vec3(1), strata && l.shadow};
+      if (apart) {
+        const shadow::ShadowMap& as = *l.shadow;
+        one.mask = vec3(0), one.mask[c] = 1;
+        one.made = true;
+        one.light.shadow = shadow::describedShadow(as.spec, l.light, seenBy(c, as.volumes), as.solids);
+      }
+      all_.push_back(std::move(one));
+      strata_.push_back(strata);
+    }
+  }
 }
 
 bool SampledLights::vary() const {
@@ -27,13 +49,13 @@ void SampledLights::plan(std::optional<unsigned> set) {
   planned_.clear();
   set_.emplace(set);
   for (std::size_t i = 0; i < all_.size(); ++i) {
-    const shadow::ShadowedLight& l = all_[i];
-    if (!strata_[i]) {
-      planned_.push_back({l.light, l.shadow, false});
-      continue;
+    const auto& [l, mask, made] = all_[i];
+    std::vector<scene::Light> lights{l.light};
+    if (strata_[i]) lights = scene::standIns(*l.light.environment, *strata_[i], set);
+    for (scene::Light& light : lights) {
+      light.emitted *= mask;
+      planned_.push_back({light, l.shadow, made});
     }
-    for (const scene::Light& sun : scene::standIns(*l.light.environment, *strata_[i], set))
-      planned_.push_back({sun, l.shadow, l.shadow != nullptr});
   }
 }
 
@@ -42,7 +64,7 @@ KeptSuns SampledLights::kept() const {
   auto next = lights_.begin();
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const std::size_t count = strata_[i] ? strata_[i]->strata().size() : 1;
-    if (strata_[i]) out.of.emplace_back(all_[i].light.environment, all_[i].shadow);
+    if (strata_[i]) out.of.emplace_back(all_[i].light.light.environment, all_[i].light.shadow);
     for (std::size_t k = 0; k < count && next != lights_.end(); ++k, ++next)
       if (strata_[i]) out.lights.push_back(*next);
   }
@@ -54,7 +76,7 @@ bool SampledLights::takeKept() {
   auto next = kept_->lights.begin();
   for (std::size_t i = 0; i < all_.size(); ++i) {
     const std::ptrdiff_t count = strata_[i] ? std::ptrdiff_t(strata_[i]->strata().size()) : 0;
-    if (!strata_[i]) lights_.push_back(all_[i]);
+    if (!strata_[i]) lights_.push_back(all_[i].light);
     lights_.insert(lights_.end(), next, next + count);
     next += count;
   }

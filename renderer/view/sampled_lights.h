@@ -23,7 +23,9 @@ inline bool letGo(KeptSuns& kept) { return !std::exchange(kept, {}).lights.empty
 
 class SampledLights {
  public:
-  explicit SampledLights(std::vector<shadow::ShadowedLight> lights);
+  /// `byChannel`: each light three times, red, green and blue, each through media as they are to it (a shadow
+  /// knows one optical depth).
+  explicit SampledLights(const std::vector<shadow::ShadowedLight>& lights, bool byChannel = false);
   /// Where the middles are found and left; null: nowhere.
   void keep(std::shared_ptr<KeptSuns> kept) { kept_ = std::move(kept); }
 
@@ -33,7 +35,7 @@ class SampledLights {
   /// least a step: their shadows are made as each environment's describes, one after the other. Those of
   /// another set go before. The fraction done; once it is 1 lights() are those.
   Result<double> make(const shadow::Gpu& gpu, std::optional<unsigned> set, double ms);
-  /// Suns, points and spots, in the order of the lights they stand for.
+  /// Suns, points and spots, in the order of the lights (and channels) they stand for.
   const std::vector<shadow::ShadowedLight>& lights() const { return lights_; }
   /// Of the maps that were made here.
   std::size_t bytes() const;
@@ -51,7 +53,12 @@ class SampledLights {
   bool takeKept();
   Result<bool> makeNext(const shadow::Gpu& gpu, double ms);
 
-  std::vector<shadow::ShadowedLight> all_;
+  struct Asked {
+    shadow::ShadowedLight light;
+    vec3 mask{1};       ///< of what it sends
+    bool made = false;  ///< its shadow only says how it is made
+  };
+  std::vector<Asked> all_;
   std::vector<std::shared_ptr<const scene::EnvironmentStrata>> strata_;  ///< of each; null: no environment
   std::shared_ptr<KeptSuns> kept_;
   std::optional<std::optional<unsigned>> set_;  ///< that is planned; none: nothing yet

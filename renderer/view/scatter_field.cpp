@@ -8,8 +8,7 @@
 
 namespace pileus::view {
 
-Result<ScatterField> ScatterField::create(std::vector<transport::Solution> solutions,
-                                          const vec3& lightScale) {
+Result<ScatterField> ScatterField::create(std::vector<transport::Solution> solutions) {
   ScatterField out;
   ivec3 size(1, 1, 0);
   for (const transport::Solution& s : solutions) {
@@ -31,7 +30,6 @@ Result<ScatterField> ScatterField::create(std::vector<transport::Solution> solut
   out.moments_.filter(GL_LINEAR);
   out.moments_.wrap(GL_CLAMP_TO_EDGE);
   out.solutions_ = std::move(solutions);
-  out.lightScale_ = lightScale;
   return out;
 }
 
@@ -47,7 +45,6 @@ void ScatterField::bind(gl::Program& program, const dvec3& origin) const {
     if (i < solutions_.size()) layer += 3 * cells.z;
   }
   program.set("scatterCount", std::max(int(solutions_.size()), 1));
-  program.set("lightScale", lightScale_);
 }
 
 }  // namespace pileus::view

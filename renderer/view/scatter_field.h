@@ -11,9 +11,8 @@ namespace pileus::view {
 
 class ScatterField {
  public:
-  /// `lightScale`: scaledLight() of the media it was made for. Error (Gpu) where the driver has no texture of
-  /// that size.
-  static Result<ScatterField> create(std::vector<transport::Solution> solutions, const vec3& lightScale);
+  /// Error (Gpu) where the driver has no texture of that size.
+  static Result<ScatterField> create(std::vector<transport::Solution> solutions);
   /// To its unit, and its place into the program, whose positions count from `origin`.
   void bind(gl::Program& program, const dvec3& origin) const;
   /// The first one around all, the others within it; without the moments, which are on the GPU. May be none.
@@ -22,7 +21,6 @@ class ScatterField {
 
  private:
   std::vector<transport::Solution> solutions_;
-  vec3 lightScale_{1};
   gl::Texture moments_;
 };
 

@@ -12,7 +12,8 @@
 namespace pileus::view {
 namespace {
 
-constexpr int kLeastCells = 32;     ///< along the longest edge, if so many are allowed
+constexpr int kLeastCells = 32;                   ///< along the longest edge, if so many are allowed
+constexpr int kDispatches = 2 * SCATTER_SAMPLES;  ///< media, lights
 constexpr double kTurning = 0.125;  ///< transport depth of a cell: what finer ones would tell is not seen
 
 /// Of the media: where it is, and its densest transport extinction [1/m].
@@ -138,26 +139,13 @@ std::vector<transport::Lattice> scatterLattices(const volume::InstanceList& volu
   return out;
 }
 
-vec3 scaledLight(const volume::InstanceList& volumes) {
-  dvec3 sum(0);
-  double weights = 0;
-  for (const volume::Instance& i : volumes) {
-    if (!scatters(i)) continue;
-    const dvec3 size = volume::worldBulkBounds(i).size();
-    const double weight = volume::majorant(i) * std::max(size.x * size.y * size.z, 1e-300);
-    sum += weight * (1.0 - dvec3(i.medium.albedo) * scene::scaledPhase(i.medium.phase).forward);
-    weights += weight;
-  }
-  return weights > 0 ? vec3(sum / weights) : vec3(1);
-}
-
 ScatterGather::ScatterGather(const transport::Lattice& lattice, const RenderScene& scene, LightSet& lights,
                              bool emission)
     : lattice_(lattice),
       lights_(lights),
       solids_(scene.solids),
       emission_(emission),
-      lightScale_(scaledLight(scene.volumes)) {}
+      lightScale_(lightDepths(scene, true)) {}
 
 Result<void> ScatterGather::start(const shadow::Gpu& gpu) {
   transport::Cells blank{lattice_, std::vector<transport::Cell>(lattice_.count())};
@@ -173,7 +161,7 @@ Result<void> ScatterGather::start(const shadow::Gpu& gpu) {
 }
 
 Result<double> ScatterGather::step(const shadow::Gpu& gpu, double ms) {
-  if (sample_ >= SCATTER_SAMPLES) return 1.0;
+  if (sample_ >= kDispatches) return 1.0;
   const Stopwatch clock;
   const dvec3 origin = lattice_.min + 0.5 * lattice_.cell * dvec3(lattice_.cells);
   PILEUS_TRY(const residency::Residency residency, run_.prepare(gpu.bricks, lights_.volumes(), ms, origin));
@@ -187,10 +175,9 @@ Result<double> ScatterGather::step(const shadow::Gpu& gpu, double ms) {
     if (!run_.cursor.done()) continue;
     run_.cursor.restart();
     ++sample_;
-  } while (sample_ < SCATTER_SAMPLES && clock.ms() < ms);
-  return sample_ >= SCATTER_SAMPLES
-             ? 1.0
-             : std::min(0.1 + 0.9 * (sample_ + run_.cursor.fraction()) / SCATTER_SAMPLES, 0.9999);
+  } while (sample_ < kDispatches && clock.ms() < ms);
+  if (sample_ >= kDispatches) return 1.0;
+  return std::min(0.1 + 0.9 * (sample_ + run_.cursor.fraction()) / kDispatches, 0.9999);
 }
 
 Result<bool> ScatterGather::dispatch(const shadow::Gpu& gpu) {
@@ -204,7 +191,8 @@ Result<bool> ScatterGather::dispatch(const shadow::Gpu& gpu) {
   program->set("latticeCells", lattice_.cells);
   program->set("latticeMin", vec3(lattice_.min - run_.origin()));
   program->set("latticeCell", float(lattice_.cell));
-  program->set("sampleIndex", sample_);
+  program->set("sampleIndex", sample_ % SCATTER_SAMPLES);
+  program->set("ofLights", sample_ / SCATTER_SAMPLES);
   program->set("lightCount", std::max(int(lights_.lights().size()), 1));
   program->set("lightScale", lightScale_);
   return run_.dispatch(*program, &budget_);
@@ -214,6 +202,8 @@ transport::Cells ScatterGather::cells() const {
   transport::Cells out{lattice_, std::vector<transport::Cell>(lattice_.count())};
   glGetNamedBufferSubData(cells_.id(), 0, GLsizeiptr(out.cells.size() * sizeof(transport::Cell)),
                           out.cells.data());
+  transport::limitBackward(out);
+  transport::thinDense(out);
   return out;
 }
 

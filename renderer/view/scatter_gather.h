@@ -19,10 +19,6 @@ std::vector<transport::Lattice> scatterLattices(const volume::InstanceList& volu
                                                 const scene::SolidList& solids,
                                                 const ScatterOptions& scatter);
 
-/// Optical depths of light, scaled, are so many times those that shadows know, which do not tell one medium
-/// from another: the mean over all that is drawn, exact where phase functions and albedos are the same.
-vec3 scaledLight(const volume::InstanceList& volumes);
-
 class ScatterGather {
  public:
   /// `lights` outlive it and hold the scene's volumes, with `emission` also those that emit, which count

@@ -17,9 +17,10 @@ constexpr int kOctaves = 8;
 }  // namespace
 
 VolumeRenderPass::VolumeRenderPass(RenderScene scene)
-    : scene_(std::make_shared<const RenderScene>(std::move(scene))), sampled_(layerLights(*scene_)) {
-  const PictureLayer::Kind kind = scene_->options.layer.kind;
-  emission_ = (kind == PictureLayer::Kind::Beauty || kind == PictureLayer::Kind::Emission) && emits(*scene_);
+    : scene_(std::make_shared<const RenderScene>(std::move(scene))),
+      sampled_(layerLights(*scene_), tintedApart(*scene_)) {
+  const PictureLayer& layer = scene_->options.layer;
+  emission_ = (layer.ofAll() || layer.kind == PictureLayer::Kind::Emission) && emits(*scene_);
 }
 
 std::size_t VolumeRenderPass::parts() const {
@@ -46,6 +47,8 @@ Result<double> VolumeRenderPass::light(const shadow::Gpu& gpu, double ms) {
 Result<void> VolumeRenderPass::start(const shadow::Gpu& gpu) {
   const RenderOptions& o = scene_->options;
   march_.list(o, *lights_);
+  lightTint_ = lightDepths(*scene_, false);
+  lightScale_ = lightDepths(*scene_, scatter_ != nullptr);
   if (const auto seen = backdropOf(*scene_)) PILEUS_CHECK(backdrop_.make(*seen));
   PILEUS_TRY(picture_, startPicture(scene_, seed_.get()));
   seed_.reset();
@@ -61,10 +64,14 @@ Result<void> VolumeRenderPass::start(const shadow::Gpu& gpu) {
   return {};
 }
 
+Scattering VolumeRenderPass::scattering() const {
+  const PictureLayer::Kind kind = scene_->options.layer.kind;
+  const bool once = kind == PictureLayer::Kind::Depth || kind == PictureLayer::Kind::Single;
+  return once ? Scattering::Single : scene_->options.scatter.kind;
+}
+
 Result<double> VolumeRenderPass::solve(const shadow::Gpu& gpu, double ms) {
-  if (scene_->options.scatter.kind != Scattering::Grid ||
-      scene_->options.layer.kind == PictureLayer::Kind::Depth)
-    return 1.0;
+  if (scattering() != Scattering::Grid) return 1.0;
   if (!scatter_) scatter_ = std::make_unique<ScatterSolve>(scene_, scatterCache_, kept_);
   return scatter_->step(gpu, ms);
 }
@@ -133,14 +140,19 @@ Result<bool> VolumeRenderPass::dispatch(const shadow::Gpu& gpu) {
   residency::MarchBudget& budget = budgets_[part_];
   const int lights = std::max(int(lights_->selected().size()), 1);
   const bool depth = o.layer.kind == PictureLayer::Kind::Depth, first = part_ == 0;
-  const int octaves = o.scatter.kind == Scattering::Octaves && !depth ? kOctaves : 1;
+  const bool colors = !depth && tinted(scene_->volumes);
+  const int octaves = scattering() == Scattering::Octaves ? kOctaves : 1;
   PILEUS_TRY(gl::Program * program, march_.bind(gpu, "view/volume_render.comp.glsl", o, *lights_, budget,
                                                 {{"LIGHTS", lights <= kUnrolledLights ? lights : 0},
                                                  {"DEPTH", depth},
                                                  {"BACKDROP", first && !backdrop_.empty()},
+                                                 {"TINTED", colors},
                                                  {"SCATTER_GRID", scatter_ != nullptr},
                                                  {"OCTAVES", octaves},
+                                                 {"MULTIPLE", o.layer.kind == PictureLayer::Kind::Multiple},
                                                  {"EMISSION", first && emission_}}));
+  program->set("lightTint", lightTint_);
+  program->set("lightScale", lightScale_);
   if (scatter_) scatter_->field()->bind(*program, march_.run.origin());
   if (first && !backdrop_.empty()) backdrop_.bind(*program);
   program->set("lightCount", lights);

@@ -54,6 +54,8 @@ class VolumeRenderPass {
  private:
   /// The lights of the sample at hand: the fraction done.
   Result<double> light(const shadow::Gpu& gpu, double ms);
+  /// Of its layer.
+  Scattering scattering() const;
   /// Light that was scattered before, if the picture has it: the fraction of it that is solved.
   Result<double> solve(const shadow::Gpu& gpu, double ms);
   /// The part of the lights that one dispatch takes.
@@ -75,7 +77,8 @@ class VolumeRenderPass {
   std::vector<residency::MarchBudget> budgets_;  ///< of each part of the lights
   residency::Residency residency_;
   int pauseAfter_ = 0;
-  bool emission_ = false;  ///< counts, and there is some
+  bool emission_ = false;              ///< counts, and there is some
+  vec3 lightTint_{1}, lightScale_{1};  ///< lightDepths(), as it is and as it counts
   Backdrop backdrop_;
   std::shared_ptr<ScatterCache> scatterCache_;
   std::unique_ptr<ScatterSolve> scatter_;

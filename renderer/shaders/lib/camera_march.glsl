@@ -2,7 +2,8 @@
 // the pass's origin, which is the eye or the part of the media nearest to it. A shader that includes this
 // says what it makes of them: passStep and addSample. Variant constants: SOLIDS (1: there are some to draw),
 // RESUME (1: a ray may take several dispatches, lib/resume.glsl), SHAPES and those of lib/stretch.glsl; with
-// STRETCH_SCALED what is seen through media is seen through their scaled extinction, and in three channels.
+// STRETCH_SCALED what is seen through media is seen through their scaled extinction, and then, as with
+// STRETCH_TINTED, in three channels.
 #pragma once
 #include "lib/camera.glsl"
 #include "lib/stretch.glsl"
@@ -25,7 +26,7 @@ struct CameraRay {
   vec3 normal;
 };
 
-#if STRETCH_SCALED
+#if STRETCH_COLORS
 #define Through vec3
 float mostOf(vec3 t) { return max(max(t.r, t.g), t.b); }
 #else
@@ -34,8 +35,15 @@ float mostOf(float t) { return t; }
 #endif
 
 Through T = Through(1.0);  // of the media in front of what is looked at
+#if STRETCH_TINTED
+#define Clear vec3
+float meanOf(vec3 t) { return (t.r + t.g + t.b) / 3.0; }
+#else
+#define Clear float
+float meanOf(float t) { return t; }
+#endif
 #if STRETCH_SCALED
-float clear = 1.0;         // of the same, but not scaled: what alpha lacks
+Clear clear = Clear(1.0);  // of the same, but not scaled: what alpha lacks
 #else
 #define clear T
 #endif
@@ -52,8 +60,17 @@ bool addSample(CameraRay ray, Stretch s, StretchSample x);
 
 // The optical depth of a step that is seen through.
 Through seenDepthOf(StretchSample x) {
-#if STRETCH_SCALED
+#if STRETCH_COLORS
   return x.extinction * x.ds;
+#else
+  return depthOf(x);
+#endif
+}
+
+// The same, but not scaled.
+Clear clearDepthOf(StretchSample x) {
+#if STRETCH_TINTED
+  return x.plain * x.ds;
 #else
   return depthOf(x);
 #endif
@@ -115,7 +132,7 @@ void marchStretch(CameraRay ray, inout Stretch s) {
     done = addSample(ray, s, x);
     T *= done && !paused ? through(x) : Through(1.0);
 #if STRETCH_SCALED
-    clear *= done && !paused ? exp(-depthOf(x)) : 1.0;
+    clear *= done && !paused ? exp(-clearDepthOf(x)) : Clear(1.0);
 #endif
     more = !done || (hasSteps(s) && mostOf(T) >= kOpaque);
     if (done && !paused) stepDone(vec2(s.at, s.wanted), more);

@@ -47,9 +47,9 @@ int metVolume = 0;
 vec3 metFactor = vec3(1.0);  // of its albedo, by a table of densities
 float metSigma = 0.0;        // of all that is there [1/m]
 
-vec3 tintOf(int v) {
+vec3 tint(int v) {
 #if TINTED
-  return volumeRow(v, 15).rgb;
+  return tintOf(v);
 #else
   return vec3(1.0);
 #endif
@@ -116,7 +116,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
   for (int k = 0; k < ACTIVE; ++k) {
     bounds[k] = boundOf(s.rays[k], s.ids[k], s.at);
     bool counts = k < s.count;
-    most += counts ? bounds[k].most * largest(tintOf(s.ids[k])) : 0.0;
+    most += counts ? bounds[k].most * largest(tint(s.ids[k])) : 0.0;
     until = counts ? min(until, bounds[k].until) : until;
   }
   if (kOverflow) {
@@ -125,7 +125,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
       int v = tileItem(item);
       if (isActive(s, item, ray)) {
         Bound b = boundOf(ray, v, s.at);
-        most += b.most * largest(tintOf(v));
+        most += b.most * largest(tint(v));
         until = min(until, b.until);
       }
       spendWork(1);
@@ -143,7 +143,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
     bool counts = k < s.count;
     vec4 here = mediumAt(s.rays[k], placeWithin(bounds[k], s.rays[k], to));
     here.w = counts ? here.w : 0.0;
-    sigma += here.w * tintOf(s.ids[k]);
+    sigma += here.w * tint(s.ids[k]);
 #if EMISSION
     vec4 table = mediumAt(s.rays[k], placeWithin(bounds[k], s.rays[k], glowing));
     glow += counts ? glowOf(s, k, table) : vec3(0.0);
@@ -157,7 +157,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
       if (isActive(s, item, ray)) {
         Bound b = boundOf(ray, v, s.at);
         vec4 here = mediumAt(ray, placeWithin(b, ray, to));
-        sigma += here.w * tintOf(v);
+        sigma += here.w * tint(v);
 #if EMISSION
         glow += glowOf(item, ray, mediumAt(ray, placeWithin(b, ray, glowing)));
 #endif
@@ -184,7 +184,7 @@ void flyPiece(inout Stretch s, inout Flight f) {
     f.state = kCollided;
     metAt = pointAt(s, to), metSigma = pick.sum;
     // The chosen one's part of the extinction over the chance that it was chosen by.
-    pathWeight *= pick.sum * tintOf(metVolume);
+    pathWeight *= pick.sum * tint(metVolume);
   }
 }
 

@@ -97,7 +97,7 @@ Passage passage(int l, vec3 p, vec3 d, float ds) {
   return kSunPassage;
 }
 
-// E(p) [W/m^2] of light l on a surface that faces it, shadows included.
+// E(p) [W/m^2] of gray media, of light l on a surface that faces it, shadows included.
 vec3 lightArriving(int l, vec3 p, bool inMedium, out vec3 towards) {
   Incidence i = unshadowed(l, p);
   towards = i.towards;

@@ -21,12 +21,12 @@ void forgetLights() {
   for (int l = 0; l < REACHED; ++l) reached[l] = 0.0;
 }
 
-vec4 seenBeside = vec4(0.0);  // what a pass keeps besides
+vec4 seenBeside[2] = vec4[2](vec4(0.0), vec4(0.0));  // what a pass keeps besides
 
 #if RESUME
 struct MarchState {
   vec4 seen;   // whatever the pass has gathered of the ray so far
-  vec4 beside;
+  vec4 beside[2];
   vec2 place;  // where the stretch of the camera ray begins
   vec2 step;   // next one of that stretch: where it begins, its length
   int light;   // first one whose part in that step is missing

@@ -8,7 +8,6 @@ layout(binding = UNIT_SCATTER) uniform sampler3D scatterMoments;
 uniform int scatterCount;
 uniform vec4 scatterMin[SCATTER_LATTICES];    // xyz: relative to the pass's origin; w: edge of a cell [m]
 uniform ivec4 scatterCells[SCATTER_LATTICES]; // xyz: cells; w: first layer of the texture
-uniform vec3 lightScale;  // scaled optical depths are so many times those of light's shadows
 
 // Where a place is in the texture: texels of the first channel, and from one channel to the next.
 struct ScatterPlace {
@@ -39,10 +38,17 @@ vec4 scatterMoment(ScatterPlace at, int channel) {
   return textureLod(scatterMoments, texel / vec3(textureSize(scatterMoments, 0)), 0.0);
 }
 
-// What of it is scattered at p into direction d, per metre: by scaled scattering, and that times the mean
-// cosine [1/m].
-vec3 scatteredAgain(vec3 p, vec3 d, vec3 scattering, vec3 forward) {
-  ScatterPlace at = scatterPlace(scatterLattice(p), p);
+// How much longer a way through media of that extinction is in the lattice: there none has more than
+// SCATTER_CELL_DEPTH per cell.
+float scatterStretch(int lattice, vec3 extinction) {
+  float depth = max(max(extinction.r, extinction.g), extinction.b) * scatterMin[lattice].w;
+  return max(depth / SCATTER_CELL_DEPTH, 1.0);
+}
+
+// What of it is scattered at p, in that lattice, into direction d, per metre: by scaled scattering, and that
+// times the mean cosine [1/m].
+vec3 scatteredAgain(int lattice, vec3 p, vec3 d, vec3 scattering, vec3 forward) {
+  ScatterPlace at = scatterPlace(lattice, p);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 3; ++c) {
     vec4 m = scatterMoment(at, c);

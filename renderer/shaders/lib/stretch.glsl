@@ -8,9 +8,10 @@
 // STRETCH_ALBEDO (1: the active ones' albedo is kept too), PHASE_LOBES (1: and with it the lobes of their
 // phase functions, which are not all Henyey and Greenstein's), STRETCH_IDS (1: it is known which volumes they
 // are), STRETCH_SCALED (1, with STRETCH_ALBEDO: scaled extinction and scattering are summed up beside, of
-// phase functions whose forward peak goes straight on) and DENSE (1: there are voxels through which no light
-// comes, so that a step looks at its end too, lest a surface is passed between two middles). A branch on a
-// constant is none.
+// phase functions whose forward peak goes straight on), STRETCH_TINTED (1, with STRETCH_ALBEDO: extinction
+// has colours, which are summed up beside) and DENSE (1: there are voxels through which no light comes, so
+// that a step looks at its end too, lest a surface is passed between two middles). A branch on a constant is
+// none.
 #pragma once
 #include "lib/volume.glsl"
 #include "lib/tiles.glsl"
@@ -37,6 +38,10 @@
 #ifndef STRETCH_SCALED
 #define STRETCH_SCALED 0
 #endif
+#ifndef STRETCH_TINTED
+#define STRETCH_TINTED 0
+#endif
+#define STRETCH_COLORS (STRETCH_SCALED || STRETCH_TINTED)
 
 const bool kOverflow = OVERFLOW != 0;
 const float kNoEdge = 1e30;
@@ -64,6 +69,9 @@ struct Stretch {
 #if STRETCH_SCALED
   vec2 scaled[ACTIVE];    // their phase functions
 #endif
+#if STRETCH_TINTED
+  vec3 tints[ACTIVE];
+#endif
 #endif
 #if STRETCH_IDS
   int ids[ACTIVE];
@@ -86,18 +94,36 @@ struct StretchSample {
   float sigma;         // sigma_t of all [1/m]
   vec4 media[ACTIVE];  // factor of the albedo, sigma_t
   vec3 glow;           // radiance that is added per metre
-#if STRETCH_SCALED
-  vec3 extinction, scattering, forward;  // scaled, of all [1/m]; the last one times the mean cosine
+#if STRETCH_COLORS
+  vec3 extinction;  // of all, scaled or not [1/m]
+  vec3 scattering, forward;  // scaled; the latter times the mean cosine
+  vec3 plain;       // extinction, not scaled
 #endif
 };
 
 #if STRETCH_SCALED
-// Of a volume: its albedo, medium and scaled phase function.
-void addScaled(inout StretchSample x, vec4 albedo, vec4 medium, vec2 scaled) {
-  vec3 w = albedo.rgb * medium.rgb, s = medium.w * w * (1.0 - scaled.x);
-  x.extinction += medium.w * (1.0 - w * scaled.x);
+vec2 scaledOf(Stretch s, int k) { return s.scaled[k]; }
+vec2 scaledOf(int v) { return scaledPhaseOf(v); }
+#else
+vec2 scaledOf(Stretch s, int k) { return vec2(0.0); }
+vec2 scaledOf(int v) { return vec2(0.0); }
+#endif
+#if STRETCH_TINTED
+vec3 tinted(Stretch s, int k) { return s.tints[k]; }
+vec3 tinted(int v) { return tintOf(v); }
+#else
+vec3 tinted(Stretch s, int k) { return vec3(1.0); }
+vec3 tinted(int v) { return vec3(1.0); }
+#endif
+
+#if STRETCH_COLORS
+// Of a volume: its albedo, medium, scaled phase function and tint.
+void addColors(inout StretchSample x, vec4 albedo, vec4 medium, vec2 scaled, vec3 tint) {
+  vec3 sigma = medium.w * tint, w = albedo.rgb * medium.rgb, s = sigma * w * (1.0 - scaled.x);
+  x.extinction += sigma * (1.0 - w * scaled.x);
   x.scattering += s;
   x.forward += s * scaled.y;
+  x.plain += sigma;
 }
 #endif
 
@@ -174,6 +200,9 @@ bool nextStretch(inout Stretch s, float footprint, float scale) {
 #if STRETCH_SCALED
         s.scaled[k] = scaledPhaseOf(v);
 #endif
+#if STRETCH_TINTED
+        s.tints[k] = tintOf(v);
+#endif
 #endif
       }
     }
@@ -241,16 +270,16 @@ StretchSample look(inout Stretch s, float cut) {
   if (kOverflow) empty = s.rest < s.range.y ? middle : empty;
   bool something = empty <= middle;
   x.sigma = 0.0, x.glow = vec3(0.0);
-#if STRETCH_SCALED
-  x.extinction = vec3(0.0), x.scattering = vec3(0.0), x.forward = vec3(0.0);
+#if STRETCH_COLORS
+  x.extinction = vec3(0.0), x.scattering = vec3(0.0), x.forward = vec3(0.0), x.plain = vec3(0.0);
 #endif
   for (int k = 0; k < ACTIVE; ++k) {
     vec4 here = mediumAt(s.rays[k], at[k]);
     x.media[k] = k < s.count && something ? here : vec4(vec3(1.0), 0.0);
     x.sigma += x.media[k].w;
     x.glow += k < s.count && something ? glowOf(s, k, x.media[k]) : vec3(0.0);
-#if STRETCH_SCALED
-    addScaled(x, s.albedo[k], x.media[k], s.scaled[k]);
+#if STRETCH_COLORS
+    if (k < s.count) addColors(x, s.albedo[k], x.media[k], scaledOf(s, k), tinted(s, k));
 #endif
   }
   if (kOverflow) {
@@ -260,8 +289,8 @@ StretchSample look(inout Stretch s, float cut) {
         vec4 here = mediumAt(ray, middle);
         x.sigma += here.w;
         x.glow += glowOf(item, ray, here);
-#if STRETCH_SCALED
-        addScaled(x, albedoOf(tileItem(item)), here, scaledPhaseOf(tileItem(item)));
+#if STRETCH_COLORS
+        addColors(x, albedoOf(tileItem(item)), here, scaledOf(tileItem(item)), tinted(tileItem(item)));
 #endif
       }
     }

@@ -31,6 +31,7 @@ vec4 boundsMax(int v) { return volumeRow(v, 9); }
 vec4 albedoOf(int v) { return volumeRow(v, 10); }
 // g and alpha of a volume's lobes.
 vec4 lobesOf(int v) { return volumeRow(v, 14); }
+vec3 tintOf(int v) { return volumeRow(v, 15).rgb; }  // of the extinction; its mean is 1
 // The share of its phase function that goes straight on, and the mean cosine of the rest.
 vec2 scaledPhaseOf(int v) { return volumeRow(v, 11).zw; }
 float detailOf(int v) { return volumeRow(v, 11).x; }

@@ -1,6 +1,8 @@
 // What the cells of a lattice hold of media, and what of the lights is scattered there for the first time:
-// one of SCATTER_SAMPLES places of each cell a dispatch. An invocation has a cell: x of the region is its x,
-// y is y + z * cells.y. Solid cells (known beforehand) get what each open face sends back of the lights.
+// one of SCATTER_SAMPLES places of each cell a dispatch, all media before all lights. An invocation has a
+// cell: x of the region is its x, y is y + z * cells.y. Of a dense cell the light that comes in through its
+// faces and does not go out is scattered there, or absorbed, wherever in it that is. Solid cells (known
+// beforehand) get what each open face sends back of the lights.
 // Variant constants: those of lib/light_transmittance.glsl and, of lib/stretch.glsl, EMISSION.
 #include "shared/scatter.h"
 #include "lib/camera.glsl"
@@ -22,6 +24,7 @@ uniform ivec3 latticeCells;
 uniform vec3 latticeMin;    // relative to the pass's origin
 uniform float latticeCell;  // [m]
 uniform int sampleIndex;
+uniform int ofLights;       // 0: media are gathered; 1: lights
 uniform int lightCount;     // at least one
 uniform vec3 lightScale;    // scaled optical depths of light are so many times those of the maps
 
@@ -49,8 +52,8 @@ Here mediaAt(vec3 p) {
     vec4 albedo = albedoOf(v), medium = mediumAt(ray, t);
     medium.w = inside ? medium.w : 0.0;
     vec2 scaled = scaledPhaseOf(v);
-    vec3 w = albedo.rgb * medium.rgb, s = medium.w * w * (1.0 - scaled.x);
-    here.extinction += medium.w * (1.0 - w * scaled.x);
+    vec3 sigma = medium.w * tintOf(v), w = albedo.rgb * medium.rgb, s = sigma * w * (1.0 - scaled.x);
+    here.extinction += sigma * (1.0 - w * scaled.x);
     here.scattering += s;
     here.forward += s * scaled.y;
 #if EMISSION
@@ -73,18 +76,25 @@ vec3 placeOf(ivec3 cell) {
   vec3 corner = vec3(sampleIndex & 1, (sampleIndex >> 1) & 1, (sampleIndex >> 2) & 1);
   return latticeMin + latticeCell * (vec3(cell) + 0.25 + 0.5 * corner);
 }
+vec3 faceNormal() {
+  vec3 normal = vec3(0.0);
+  normal[sampleIndex >> 1] = (sampleIndex & 1) == 0 ? -1.0 : 1.0;
+  return normal;
+}
 
-void gatherMedium(int index, ivec3 cell, bool begins) {
+void gatherMedium(int index, ivec3 cell) {
   const float kShare = 1.0 / float(SCATTER_SAMPLES);
-  vec3 p = placeOf(cell);
-  Here here = mediaAt(p);
-  if (begins) {
-    cells[index].extinction.rgb += kShare * here.extinction;
-    cells[index].scattering.rgb += kShare * here.scattering;
-    cells[index].forward.rgb += kShare * here.forward;
-    cells[index].glow.rgb += kShare * here.glow;
-  }
-  if (all(lessThanEqual(here.scattering, vec3(0.0)))) return;
+  Here here = mediaAt(placeOf(cell));
+  cells[index].extinction.rgb += kShare * here.extinction;
+  cells[index].scattering.rgb += kShare * here.scattering;
+  cells[index].forward.rgb += kShare * here.forward;
+  cells[index].glow.rgb += kShare * here.glow;
+}
+
+// What is scattered of the light that arrives at `p`: `scattering` and `forward` of it per metre, or where
+// there is a normal as much of what passes that way.
+void gatherScattered(int index, vec3 p, vec3 normal, vec3 scattering, vec3 forward) {
+  bool passing = normal != vec3(0.0);
   int l = 0;
   do {
     if (lightIsDue(l)) {
@@ -92,10 +102,11 @@ void gatherMedium(int index, ivec3 cell, bool begins) {
       float T = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, true);
       lightDone(l);
       if (!paused) {
-        vec3 arriving = kShare * scaledArriving(l, p, T, i);
+        vec3 arriving = scaledArriving(l, p, T, i);
+        arriving *= passing ? dot(normal, i.towards) : 1.0;
         // Lights that stand for many directions are blurred, as phase functions are under them.
         float narrow = lights[l].items.w == LIGHT_SUN ? lights[l].towards.w : 1.0;
-        vec3 first = here.scattering * arriving, ahead = narrow * here.forward * arriving;
+        vec3 first = scattering * arriving, ahead = narrow * forward * arriving;
         for (int c = 0; c < 3; ++c) cells[index].first[c] += vec4(-i.towards * ahead[c], first[c]);
       }
     }
@@ -103,13 +114,30 @@ void gatherMedium(int index, ivec3 cell, bool begins) {
   } while (l < lightCount);
 }
 
+// Deeper than this cells are dense: between samples light changes too much.
+const float kDense = 1.0;
+
+void gatherLight(int index, ivec3 cell) {
+  vec3 deep = cells[index].extinction.rgb, scattering = cells[index].scattering.rgb;
+  if (max(max(scattering.r, scattering.g), scattering.b) <= 0.0) return;
+  if (max(max(deep.r, deep.g), deep.b) * latticeCell <= kDense) {
+    Here here = mediaAt(placeOf(cell));
+    if (any(greaterThan(here.scattering, vec3(0.0)))) {
+      const float kShare = 1.0 / float(SCATTER_SAMPLES);
+      gatherScattered(index, placeOf(cell), vec3(0.0), kShare * here.scattering, kShare * here.forward);
+    }
+  } else if (sampleIndex < 6) {
+    vec3 normal = faceNormal(), of = 1.0 / (max(deep, vec3(1e-30)) * latticeCell);
+    gatherScattered(index, latticeMin + latticeCell * (vec3(cell) + 0.5 + 0.5 * normal), normal,
+                    scattering * of, cells[index].forward.rgb * of);
+  }
+}
+
 // What a face sends back of the lights: transport::sentOf(). Open faces are bits of glow.w.
 void gatherSolid(int index, ivec3 cell) {
   int face = sampleIndex;
   if (face >= 6 || (int(cells[index].glow.w) & (1 << face)) == 0) return;
-  vec3 normal = vec3(0.0);
-  normal[face >> 1] = (face & 1) == 0 ? -1.0 : 1.0;
-  vec3 p = latticeMin + latticeCell * (vec3(cell) + 0.5 + 0.501 * normal);
+  vec3 normal = faceNormal(), p = latticeMin + latticeCell * (vec3(cell) + 0.5 + 0.501 * normal);
   int l = 0;
   do {
     if (lightIsDue(l)) {
@@ -138,9 +166,13 @@ void main() {
   if (!goOn(slot, seen)) return;
   ivec3 cell = ivec3(pixel.x, pixel.y % latticeCells.y, pixel.y / latticeCells.y);
   int index = pixel.y * latticeCells.x + pixel.x;
-  if (cells[index].extinction.w > 0.0)
+  bool solid = cells[index].extinction.w > 0.0;
+  if (ofLights == 0) {
+    if (!solid) gatherMedium(index, cell);
+  } else if (solid) {
     gatherSolid(index, cell);
-  else
-    gatherMedium(index, cell, seen.x == 0.0);
+  } else {
+    gatherLight(index, cell);
+  }
   keep(slot, vec4(1.0));
 }

@@ -8,9 +8,12 @@
 // scattering brings then is in lib/peak.glsl. Else what emits lights nothing.
 // With OCTAVES so many sums stand for all orders, each with less light, depth and direction than the one
 // before (Wrenninge 2013).
-// Variant constants: SCATTER_GRID, OCTAVES (at least 1), BACKDROP (1: there is one), LIGHTS (their number, or
-// 0: lightCount), REACHED (at least as many), DEPTH (1: no light, but the mean depth of what scatters), those
-// of lib/camera_march.glsl and of lib/light_transmittance.glsl.
+// With MULTIPLE the picture is all that less what it would be without: light that was scattered once alone.
+// With TINTED extinction has colours, and so has what lights' shadows and media in front let through.
+// Variant constants: TINTED, SCATTER_GRID, MULTIPLE (with SCATTER_GRID or OCTAVES), OCTAVES (at least 1),
+// BACKDROP (1: there is one), LIGHTS (their number, or 0: lightCount), REACHED (at least as many), DEPTH (1:
+// no light, but the mean depth of what scatters), those of lib/camera_march.glsl and of
+// lib/light_transmittance.glsl.
 #define STRETCH_ALBEDO 1
 #ifndef SCATTER_GRID
 #define SCATTER_GRID 0
@@ -18,7 +21,14 @@
 #ifndef OCTAVES
 #define OCTAVES 1
 #endif
+#ifndef MULTIPLE
+#define MULTIPLE 0
+#endif
+#ifndef TINTED
+#define TINTED 0
+#endif
 #define STRETCH_SCALED SCATTER_GRID
+#define STRETCH_TINTED TINTED
 #define STRETCH_IDS SCATTER_GRID
 #include "lib/camera_march.glsl"
 #include "lib/light_transmittance.glsl"
@@ -41,24 +51,49 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = IMAGE_TARGET) uniform image2D target;
 uniform int lightCount, sampleIndex, samples;  // at least one light (a black one, if need be)
 uniform int morePart;  // 1: of too many lights for one dispatch these come on top of those before
+uniform vec3 lightTint;   // optical depths of a channel are so many times those of light's shadows, ...
+uniform vec3 lightScale;  // ... and scaled ones so many times
 const bool kDepth = DEPTH != 0;
 const int kLights = LIGHTS;  // known: their loop is unrolled, offsets into the uniform block are constants
 
 const float kNoLight = 1e-30;  // transmittance: its logarithm is taken
 
 vec3 L = vec3(0.0);  // with DEPTH: sums of weight and depth, and of weight
+float sunk = 0.0;    // metres that the way so far is longer in lattices of scattered light
+const vec3 kWhole = vec3(-1.0);  // depth of peaks that do not count as going straight on
 
 int lightsHere() { return kLights > 0 ? kLights : lightCount; }
 
-// What light l sends to a surface at p, black where that is counted already or has to wait for the next
-// dispatch.
-vec3 arrivingIfDue(int l, vec3 p, out vec3 towards) {
+// Of light through the media, as they are, and as the picture counts them.
+Clear clearOf(float transmittance) {
+#if TINTED
+  return exp(lightTint * log(max(transmittance, kNoLight)));
+#else
+  return transmittance;
+#endif
+}
+Through counted(float transmittance) {
+#if SCATTER_GRID || TINTED
+  return exp(lightScale * log(max(transmittance, kNoLight)));
+#else
+  return transmittance;
+#endif
+}
+
+// What light l sends to a surface at p, and what of it is not scattered on its way; black where that is
+// counted already or has to wait for the next dispatch.
+vec3 arrivingIfDue(int l, vec3 p, vec3 normal, out vec3 once) {
   vec3 arriving = vec3(0.0);
-  towards = vec3(0.0);
+  once = vec3(0.0);
   if (lightIsDue(l)) {
-    arriving = lightArriving(l, p, false, towards);
+    Incidence i = unshadowed(l, p);
+    float reaches = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, false);
+    float facing = max(dot(normal, i.towards), 0.0);
+    vec3 open = i.irradiance * (solidVisibility(l, p, i.towards, i.distance) * facing);
+    arriving = open * counted(reaches), once = open * clearOf(reaches);
     lightDone(l);
   }
+  once = paused ? vec3(0.0) : once;
   return paused ? vec3(0.0) : arriving;
 }
 
@@ -80,22 +115,24 @@ float phaseOf(int v, float w, float cosine, float narrow) { return phaseHg(cosin
 #endif
 
 // Scattering per unit length and solid angle of one volume: sigma_s p.
-vec3 scattering(vec4 albedo, vec4 medium, float phase) {
-  return medium.w * (albedo.rgb * medium.rgb) * phase;
+vec3 scattering(vec4 albedo, vec4 medium, vec3 tint, float phase) {
+  return medium.w * (albedo.rgb * medium.rgb) * tint * phase;
 }
 
 // Of all that are active.
 vec3 scattering(Stretch s, StretchSample x, float cosine, float narrow) {
   vec3 sum = vec3(0.0);
   for (int k = 0; k < ACTIVE; ++k)
-    sum += k < s.count ? scattering(s.albedo[k], x.media[k], phaseOf(s, k, cosine, narrow)) : vec3(0.0);
+    if (k < s.count)
+      sum += scattering(s.albedo[k], x.media[k], tinted(s, k), phaseOf(s, k, cosine, narrow));
   if (kOverflow) {
     for (int item = s.rest; item < s.range.y; ++item) {
       VolumeRay ray;
       if (isActive(s, item, ray)) {
         int v = tileItem(item);
         vec4 albedo = albedoOf(v);
-        sum += scattering(albedo, mediumAt(ray, middleOf(x)), phaseOf(v, albedo.w, cosine, narrow));
+        vec4 medium = mediumAt(ray, middleOf(x));
+        sum += scattering(albedo, medium, tinted(v), phaseOf(v, albedo.w, cosine, narrow));
       }
     }
   }
@@ -124,12 +161,13 @@ vec3 peaks(vec4 albedo, vec4 medium, int v, float cosine, float narrow, vec3 dep
     if (depth.g != depth.r || depth.b != depth.r)
       sum.gb = vec2(scatteredPeak(first, cosine, depth.g), scatteredPeak(first, cosine, depth.b));
   }
-  return medium.w * (albedo.rgb * medium.rgb) * sum;
+  return medium.w * (albedo.rgb * medium.rgb) * tinted(v) * sum;
 }
 
 // What one scattering brings along scaled ways: by what of phase functions is smooth, or within peaks alone,
 // of which `depth` is passed.
 vec3 scatteredOnce(Stretch s, StretchSample x, float cosine, float narrow, vec3 depth) {
+  if (MULTIPLE != 0 && depth == kWhole) return scattering(s, x, cosine, narrow);
   vec3 sum = (x.scattering + 3.0 * narrow * cosine * x.forward) / (4.0 * 3.14159265358979);
   for (int k = 0; k < ACTIVE; ++k)
     if (k < s.count && x.media[k].w > 0.0)
@@ -191,30 +229,24 @@ Through meanReaching(Through first, Through last, Through depth, Passage q) {
 #endif
 }
 
-// Of light l through the media, as the picture counts them.
-Through counted(float transmittance) {
-#if SCATTER_GRID
-  return exp(lightScale * log(transmittance));
-#else
-  return transmittance;
-#endif
-}
-
 // The optical depth of peaks on both ways to the middle of a step, where so much of the light arrives.
 vec3 peaksPassed(StretchSample x, float ofLight) {
 #if SCATTER_GRID
-  float unscaled = clear * exp(-0.5 * depthOf(x));
-  vec3 seen = T * sqrt(through(x));
-  return max(log(max(seen, 1e-30)) - log(max(unscaled, 1e-30)) + (lightScale - 1.0) * log(ofLight), 0.0);
+  vec3 unscaled = vec3(clear * exp(-0.5 * clearDepthOf(x))), seen = T * sqrt(through(x));
+  vec3 ofCamera = log(max(seen, 1e-30)) - log(max(unscaled, 1e-30));
+  return max(ofCamera + (lightScale - lightTint) * log(ofLight), 0.0);
 #else
   return vec3(0.0);
 #endif
 }
 
+// What of light that is not scattered on its way shows: with MULTIPLE without what shows of it anyway.
+vec3 seenOf(vec3 light) { return MULTIPLE != 0 ? (T - clear) * light : T * light; }
+
 // Where nothing scatters no light is looked up: the step's emission passes as it is.
 void passStep(Stretch s, inout StretchSample x) {
   bool nothing = x.sigma <= 0.0;
-  L += nothing ? T * x.ds * x.glow : vec3(0.0);
+  L += nothing ? seenOf(x.ds * x.glow) : vec3(0.0);
   x.glow = nothing ? vec3(0.0) : x.glow;
   lit = lit && !(nothing && x.ds > 0.0);
 }
@@ -239,7 +271,7 @@ float nextCut(Stretch s) {
 }
 
 void addDepth(CameraRay ray, Stretch s, StretchSample x) {
-  L.xy += clear * (1.0 - exp(-depthOf(x))) * vec2(metresTo(s, middleOf(x)) * ray.forward, 1.0);
+  L.xy += meanOf(clear) * (1.0 - exp(-depthOf(x))) * vec2(metresTo(s, middleOf(x)) * ray.forward, 1.0);
 }
 
 // Where the light is looked up that a step begins or ends with. Next to a face of a volume a hair inside:
@@ -262,7 +294,7 @@ bool addScattered(Stretch s, StretchSample x) {
   bool begin = !lit && x.sigma > 0.0;
   vec3 from = pointAt(s, x.from), middle = pointAt(s, middleOf(x));
   Place end = endOfStep(s, x, begin);
-  vec3 sum = vec3(0.0);
+  vec3 sum = vec3(0.0), once = vec3(0.0);
   int l = 0;
   do {
     if (lightIsDue(l)) {
@@ -277,21 +309,40 @@ bool addScattered(Stretch s, StretchSample x) {
       for (int n = 1; n < OCTAVES; ++n) {
         share *= 0.5;
         source += share * scattering(s, x, l, q, share, vec3(0.0)) *
-                  meanReaching(pow(reached[l], share), pow(reaches, share), seenDepthOf(x), q);
+                  meanReaching(pow(counted(reached[l]), Through(share)),
+                               pow(counted(reaches), Through(share)), seenDepthOf(x), q);
       }
 #endif
-      source *= open;
-      sum += begin || paused || x.sigma <= 0.0 ? vec3(0.0) : source;
+      bool counts = !(begin || paused || x.sigma <= 0.0);
+      sum += counts ? source * open : vec3(0.0);
+#if MULTIPLE
+      source = scattering(s, x, l, q, 1.0, kWhole) *
+               meanReaching(Through(clearOf(reached[l])), Through(clearOf(reaches)),
+                            Through(clearDepthOf(x)), q);
+      once += counts ? source * open : vec3(0.0);
+#endif
       reached[l] = paused ? reached[l] : reaches;
     }
     ++l;
   } while (l < lightsHere());
-  L += T * x.ds * sum;
+  L += MULTIPLE != 0 ? x.ds * (T * sum - clear * once) : T * x.ds * sum;
   if (paused) return true;
+  vec3 glow = x.glow;
 #if SCATTER_GRID
-  if (!begin && morePart == 0) x.glow += scatteredAgain(middle, -s.d, x.scattering, x.forward);
+  if (!begin) {
+    int lattice = scatterLattice(middle);
+    float longer = (scatterStretch(lattice, x.extinction) - 1.0) * x.ds;
+    vec3 there = middle + (sunk + 0.5 * longer) * s.d;
+    if (morePart == 0) x.glow += scatteredAgain(lattice, there, -s.d, x.scattering, x.forward);
+    sunk += longer;
+  }
 #endif
   if (!begin) L += T * x.ds * meanThrough(x) * x.glow;
+#if MULTIPLE
+  Clear depth = clearDepthOf(x), flat_ = 1.0 - step(1e-2, depth);
+  Clear shows = mix((1.0 - exp(-depth)) / max(depth, Clear(1e-2)), 1.0 - depth * (0.5 - depth / 6.0), flat_);
+  if (!begin) L -= clear * x.ds * shows * glow;
+#endif
   lit = x.sigma > 0.0;
   if (begin) lightsAgain();
   return !begin;
@@ -303,34 +354,37 @@ bool addSample(CameraRay ray, Stretch s, StretchSample x) {
   return true;
 }
 
-// Radiance [W/(m^2 sr)] that the solid at the ray's end sends back.
-vec3 reflected(CameraRay ray) {
-  vec3 off = solidClear(ray), sum = vec3(0.0);
+// Radiance [W/(m^2 sr)] that the solid at the ray's end sends back; `once`: of the lights alone.
+vec3 reflected(CameraRay ray, out vec3 once) {
+  vec3 off = solidClear(ray), sum = vec3(0.0), color = solidAlbedo(ray.solid) / 3.14159265358979;
+  once = vec3(0.0);
   int l = 0;
   do {
-    vec3 towards;
-    vec3 arriving = arrivingIfDue(l, off, towards);
-    sum += arriving * max(dot(ray.normal, towards), 0.0);
+    vec3 unscattered;
+    sum += arrivingIfDue(l, off, ray.normal, unscattered);
+    once += unscattered * color;
     ++l;
   } while (l < lightCount);
 #if SCATTER_GRID
   sum += paused || morePart == 1 ? vec3(0.0) : scatteredOnto(off, ray.normal);
 #endif
-  return sum * solidAlbedo(ray.solid) / 3.14159265358979;
+  return sum * color;
 }
 
 void addSolid(CameraRay ray) {
+  vec3 once;
   if (kDepth)
-    L += clear * vec3(ray.end * ray.forward, 1.0, 0.0);
+    L += meanOf(clear) * vec3(ray.end * ray.forward, 1.0, 0.0);
   else
-    L += T * reflected(ray);
+    L += T * reflected(ray, once);
+  if (MULTIPLE != 0) L -= clear * once;
   T = paused ? T : Through(0.0);
-  clear = paused ? clear : 0.0;
+  clear = paused ? clear : Clear(0.0);
 }
 
 // What is not a number is stored as such: whoever reads the picture back says at which pixel it is.
 void storeRadiance(ivec2 pixel, vec4 before) {
-  vec4 now = vec4(L, 1.0 - clear), sum = morePart == 1 ? vec4(L, 0.0) : now - before;
+  vec4 now = vec4(L, 1.0 - meanOf(clear)), sum = morePart == 1 ? vec4(L, 0.0) : now - before;
   imageStore(target, pixel, before + sum / float(sampleIndex + 1));
 }
 
@@ -346,22 +400,26 @@ void main() {
   if (!inRegion(pixel)) return;
   CameraRay ray = cameraRay(pixel, pixelSample(pixel, sampleIndex, samples));
   vec4 seen = vec4(0.0, 0.0, 0.0, 1.0);
+  seenBeside = vec4[2](vec4(1.0, 1.0, 1.0, 0.0), vec4(1.0));
   if (!goOn(regionSlot(pixel), seen)) return;
-  L = seen.rgb, clear = seen.a, T = Through(seen.a);
-#if SCATTER_GRID
-  if (RESUME != 0 && seenBeside.w > 0.0) T = seenBeside.rgb;
+  L = seen.rgb, clear = Clear(seen.a), T = Through(seen.a);
+#if SCATTER_GRID || TINTED
+  T = seenBeside[0].rgb, sunk = seenBeside[0].w;
+#endif
+#if SCATTER_GRID && TINTED
+  clear = seenBeside[1].rgb;
 #endif
   findSolid(ray);
   marchMedia(ray);
-  if (mostOf(T) < kOpaque) T = Through(0.0), clear = 0.0;
+  if (mostOf(T) < kOpaque) T = Through(0.0), clear = Clear(0.0);
   if (meetsSolid(ray)) addSolid(ray);
 #if BACKDROP
-  if (!paused && ray.end >= kNoHit) L += T * backdrop(ray.d);
+  if (!paused && ray.end >= kNoHit) L += seenOf(backdrop(ray.d));
 #endif
-#if SCATTER_GRID
-  seenBeside = vec4(T, 1.0);
+#if SCATTER_GRID || TINTED
+  seenBeside = vec4[2](vec4(T, sunk), vec4(vec3(clear), 1.0));
 #endif
-  keep(regionSlot(pixel), vec4(L, clear));
+  keep(regionSlot(pixel), vec4(L, meanOf(clear)));
   if (paused) return;
   vec4 before = sampleIndex == 0 && morePart == 0 ? vec4(0.0) : imageLoad(target, pixel);
   if (kDepth)

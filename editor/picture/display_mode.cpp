@@ -47,6 +47,13 @@ std::vector<LayerChoice> layerChoices(const Shown& shown) {
                    C::Color});
   if (view::emits(*picture->scene))
     out.push_back({"Emission", "What glows alone, without any light.", {Kind::Emission, 0}, C::Color});
+  if (picture->scene->bounces || picture->scene->options.scatter.kind != view::Scattering::Single) {
+    out.push_back({"Single scattering", "Light that was scattered once.", {Kind::Single, 0}, C::Color});
+    out.push_back({"Multiple scattering",
+                   "What the beauty has beside light that was scattered once.",
+                   {Kind::Multiple, 0},
+                   C::Color});
+  }
   return out;
 }
 

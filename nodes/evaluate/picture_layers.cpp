@@ -84,9 +84,9 @@ std::string pictureNode(const Graph& flat, const std::string& output) {
 }  // namespace
 
 std::string layerName(std::string_view node) {
-  static constexpr std::array<std::string_view, 12> kTaken{"rgb",      "rgba",    "alpha",  "depth",
-                                                           "emission", "forward", "motion", "mask",
-                                                           "all",      "none",    "other",  "backward"};
+  static constexpr std::array<std::string_view, 14> kTaken{
+      "rgb",     "single", "multiple", "rgba", "alpha", "depth", "emission",
+      "forward", "motion", "mask",     "all",  "none",  "other", "backward"};
   std::string out;
   for (const char c : node) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80;
@@ -160,7 +160,7 @@ view::ExtraLayers wantedLayers(const Graph& graph, const std::string& output) {
     const ParamValue value = spec ? paramValue(*node, *spec) : ParamValue(false);
     return std::get_if<bool>(&value) && std::get<bool>(value);
   };
-  return {on("depth"), on("lights")};
+  return {on("depth"), on("lights"), on("orders")};
 }
 
 }  // namespace pileus::nodes

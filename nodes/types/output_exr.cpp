@@ -12,6 +12,7 @@ struct In {
   image::Compression compression = image::Compression::Zip;
   bool depth = false;
   bool lights = false;
+  bool orders = false;
 };
 
 struct Out {};
@@ -41,6 +42,11 @@ void describe(Describe<In, Out>& d) {
           "Adds a layer for each light node, by its name (Sun.R, Sun.G ...): its part of the picture, and "
           "emission.R ... where something emits. Their sum is the picture. Names are made of letters, digits "
           "and underscores; a soft sun takes about as long as the picture for each sample of its disc.");
+  d.in("orders", &In::orders)
+      .label("Scattering layers")
+      .help(
+          "Adds single.R ..., light that was scattered once (and what is seen of lights and emission), and "
+          "multiple.R ..., what the picture has beside that. Their sum is the picture.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

@@ -118,6 +118,7 @@ Result<void> begin(const In& in, const EvalContext& ctx, bool software, Passes& 
   };
   const view::ExtraLayers& wanted = ctx.extra();
   if (wanted.depth) add("depth", {Kind::Depth, 0});
+  if (wanted.orders) add("single", {Kind::Single, 0}), add("multiple", {Kind::Multiple, 0});
   for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i)
     add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
   if (wanted.lights && (view::emits(scene) || view::backdropOf(scene))) add("emission", {Kind::Emission, 0});

@@ -159,6 +159,46 @@ TEST(ScatterGrid, LayersOfLightsAddUp) {
                   1e-3f * (mean + beauty.layers[0].pixels[i + c]));
 }
 
+/// What was scattered once, and what the picture has beside it: of media that differ, fire, solids and what
+/// is seen of an environment.
+TEST(ScatterLayers, OrdersAddUp) {
+  volume::Instance smoke = cloud(15, 0.6, 0.9f);
+  smoke.medium.albedo = vec3(0.95f, 0.8f, 0.6f);
+  volume::Instance fire = test::ball({0.1, 0, 0}, 0.15, 1);
+  fire.emission = test::table(0, 1, [](double x) { return x; });
+  view::RenderScene scene = sceneOf({smoke, fire}, {32, 18}, 2);
+  scene.solids = {test::solidPlane({0, -0.5, 0}, {2, 1, 2})};
+  light(scene, {0.3, 1, 0.2});
+  scene.lights.push_back({test::pointAt({-0.6, 0.2, 0.3}, 2), nullptr});
+  using Kind = view::PictureLayer::Kind;
+  const auto layer = [&](Kind kind) {
+    view::RenderScene one = scene;
+    one.options.layer.kind = kind;
+    return test::render(one);
+  };
+  for (const view::Scattering how :
+       {view::Scattering::Single, view::Scattering::Octaves, view::Scattering::Grid}) {
+    scene.options.scatter.kind = how;
+    const image::Image beauty = layer(Kind::Beauty), single = layer(Kind::Single),
+                       multiple = layer(Kind::Multiple);
+    const float mean = meanOf(beauty).x;
+    double off = 0;
+    for (std::size_t i = 0; i < beauty.layers[0].pixels.size(); ++i) {
+      const double all = double(beauty.layers[0].pixels[i]),
+                   sum = double(single.layers[0].pixels[i]) + double(multiple.layers[0].pixels[i]);
+      if (i % 4 == 3) continue;
+      off = std::max(off, std::abs(all - sum) / (double(mean) + all));
+    }
+    std::printf("  %s: beauty %.4f = single %.4f + multiple %.4f, off by %.1e\n",
+                std::string(enumId(how)).c_str(), double(mean), double(meanOf(single).x),
+                double(meanOf(multiple).x), off);
+    EXPECT_LT(off, 3e-4);
+    EXPECT_NEAR(meanOf(multiple).x > 0, how != view::Scattering::Single, 0);
+    scene.options.scatter.kind = view::Scattering::Single;
+    EXPECT_LT(test::largestDifference(single, layer(Kind::Beauty)), 1e-6 * double(mean));
+  }
+}
+
 TEST(ScatterGrid, NothingToScatterIsBlackAndFinite) {
   volume::Instance black = cloud(20, 0.3, 0);
   for (const volume::InstanceList& volumes :
@@ -223,6 +263,23 @@ TEST(ScatterGrid, InThinHazeItIsSingleScattering) {
     EXPECT_NEAR(meanOf(grid).x / meanOf(single).x, 1, 3e-3);
     EXPECT_LT(off, 5e-3);
   }
+}
+
+/// However dense: what is sent back is decided in a skin far thinner than a cell.
+TEST(ScatterGrid, DenseMediaAreAsPathsHaveThem) {
+  for (const double extinction : {40.0, 400.0, 1e4})
+    for (const bool ball : {true, false})
+      for (const double g : {0.0, 0.8}) {
+        volume::Instance dense =
+            ball ? test::ball({0, 0, 0}, 0.5, extinction) : test::box({0, 0, 0}, {0.8, 0.6, 0.5}, extinction);
+        dense.medium.albedo = vec3(0.99f, 0.9f, 0.6f);
+        dense.medium.phase = scene::henyeyGreenstein(g);
+        view::RenderScene scene = sceneOf({dense}, {48, 28}, 4);
+        light(scene, {0.6, 0.5, 0.7});
+        const auto f =
+            judged(scene, 32, fmt::format("{} of {} /m, g {}", ball ? "ball" : "box", extinction, g));
+        EXPECT_NEAR(f.ratio, 1, 0.09);
+      }
 }
 
 TEST(ScatterGrid, ManySunsAreAsOne) {

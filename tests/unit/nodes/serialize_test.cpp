@@ -205,7 +205,7 @@ TEST(Serialize, WhatIsNoGraphIsRefusedWithLineAndColumn) {
   EXPECT_TRUE(faultsOf("{}").starts_with("refused: not a Pileus graph: \"pileus\""));
   EXPECT_TRUE(faultsOf(R"({"pileus": "1"})").starts_with("refused: not a Pileus graph"));
   EXPECT_TRUE(faultsOf(R"({"pileus": 0})").starts_with("refused: not a Pileus graph"));
-  EXPECT_TRUE(faultsOf(R"({"pileus": 4})").starts_with("refused: written by a newer Pileus: format 4"));
+  EXPECT_TRUE(faultsOf(R"({"pileus": 5})").starts_with("refused: written by a newer Pileus: format 5"));
   EXPECT_TRUE(faultsOf(R"({"pileus": 99999999999999999999})").starts_with("refused: "));
   EXPECT_EQ(faultsOf(std::string(100000, '[')), "refused: line 1, column 65: nested deeper than 64\n");
   std::string nested = R"({"pileus": 1, "x": )" + std::string(63, '[') + std::string(63, ']') + "}";

@@ -264,14 +264,25 @@ void takeFindings(Ui& ui, StartView& start) {
 
 const std::vector<PresetText>& galleryTexts() {
   static const std::vector<PresetText> texts = {
-      {"default.json", "Broken cumulus", "A low sun, haze, shadows across gaps"},
-      {"cumulus.json", "One cumulus", "Seen close, warm key and cool fill"},
+      {"default.json", "Broken cumulus", "A low sun, one cloud in the other's shadow"},
+      {"cumulus.json", "One cumulus", "Seen close, all orders of scattering"},
+      {"dawn-cumulus.json", "Dawn", "Cumulus just after the sun has risen"},
+      {"god-rays.json", "God rays", "A broken deck, haze, a deep shadow map"},
+      {"anvil-at-sunset.json", "Anvil at sunset", "A storm of eleven kilometres"},
+      {"storm-front.json", "Storm front", "A shelf and the towers behind it"},
+      {"sea-of-clouds.json", "Sea of clouds", "Stratocumulus from above, a low sun"},
+      {"mares-tails.json", "Mares' tails", "Cirrus against the evening"},
+      {"valley-fog.json", "Valley fog", "Ridges out of a bank of stratus"},
+      {"city-fog.json", "City fog", "Street lamps, a map for each"},
       {"light-shafts.json", "Light shafts", "A spot light through a cloud"},
-      {"smoke-column.json", "Smoke column", "Five clouds, one plume, evening"},
       {"two-lights.json", "Two lights", "Magenta and teal, a map for each"},
+      {"smoke-column.json", "Smoke column", "A tower of ash, late in the day"},
+      {"ink-in-water.json", "Ink in water", "Absorption before a bright wall"},
+      {"nebula.json", "Nebula", "Three stars in coloured dust"},
       {"shadows-across-gaps.json", "Across gaps", "Four shapes in each other's shadow"},
-      {"compare-representations.json", "Four shadows", "One scene, four representations"},
+      {"paper-figure-2.json", "The paper's figure 2", "Two media far apart, three maps"},
       {"paper-fourier.json", "As in the paper", "Fourier coefficients, 4 and 8"},
+      {"compare-representations.json", "Four shadows", "One scene, four representations"},
   };
   return texts;
 }

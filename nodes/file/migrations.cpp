@@ -47,10 +47,14 @@ void toFormat2(Json& file) {
 /// Pictures got light that has been scattered more than once.
 void toFormat3(Json& file) { writeOut(file, {{"render.volume", "scattering", "single"}}); }
 
+/// Clouds got genera.
+void toFormat4(Json& file) { writeOut(file, {{"volume.cloud", "genus", "classic"}}); }
+
 }  // namespace
 
 std::span<const Migration> migrations() {
-  static constexpr std::array kSteps = {Migration{1, toFormat2}, Migration{2, toFormat3}};
+  static constexpr std::array kSteps = {Migration{1, toFormat2}, Migration{2, toFormat3},
+                                        Migration{3, toFormat4}};
   return kSteps;
 }
 

@@ -9,7 +9,7 @@
 
 namespace pileus::nodes {
 
-inline constexpr int kFormatVersion = 3;
+inline constexpr int kFormatVersion = 4;
 inline constexpr int kLargestSize = 32768;  ///< of a picture, along each side
 
 struct Fault {

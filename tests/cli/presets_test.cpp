@@ -20,7 +20,7 @@ std::vector<fs::path> presets() {
 }
 
 TEST(Presets, LoadWithoutFaultsAndHaveAThumbnail) {
-  ASSERT_GE(presets().size(), 8u);
+  ASSERT_GE(presets().size(), 11u);
   for (const fs::path& path : presets()) {
     const auto loaded = nodes::loadGraph(path);
     ASSERT_TRUE(loaded) << loaded.error().message;
@@ -30,7 +30,7 @@ TEST(Presets, LoadWithoutFaultsAndHaveAThumbnail) {
     ASSERT_TRUE(bytes) << bytes.error().message;
     const auto bitmap = image::decodePng(*bytes);
     ASSERT_TRUE(bitmap) << thumbnail;
-    EXPECT_EQ(bitmap->size, ivec2(320, 180)) << thumbnail;
+    EXPECT_EQ(bitmap->size, ivec2(640, 360)) << thumbnail;
   }
 }
 

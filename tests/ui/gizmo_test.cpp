@@ -231,20 +231,21 @@ TEST(Navigation, ToolsOfTheViewport) {
   ui.screenshot("73-overlays");
 }
 
-TEST(Gizmo, OnTheDefaultPreset) {
-  UiSession ui({1440, 900}, {std::string(PILEUS_SOURCE_DIR) + "/presets/default.json"});
+TEST(Gizmo, OnAPreset) {
+  UiSession ui({1440, 900}, {std::string(PILEUS_SOURCE_DIR) + "/presets/two-lights.json"});
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitFor(
-      [](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Sun"); }, 60));
-  ui.click("light/Sun");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Sun"); }));
+      [](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Magenta"); },
+      60));
+  ui.click("light/Magenta");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Magenta"); }));
   if (wantsScreenshots()) ui.finishPicture();
-  ui.screenshot("75-default-sun");
-  ui.click("header/Clouds");
+  ui.screenshot("75-preset-light");
+  ui.click("header/Cloud");
   ui.move(at(ui, 0.5, 0.8));
   ui.key("w");
   ASSERT_TRUE(ui.waitRect("gizmo/axis/1"));
-  ui.screenshot("76-default-move");
+  ui.screenshot("76-preset-move");
   ui.click("viewport/overlays");
   ASSERT_TRUE(ui.waitRect("menu/viewport.show_bricks"));
   ui.click("menu/viewport.show_bricks");
@@ -252,7 +253,7 @@ TEST(Gizmo, OnTheDefaultPreset) {
   EXPECT_TRUE(ui.waitFor([](const json& t) {
     return t["notes"].value("overlay bricks", "").find(" bricks of level ") != std::string::npos;
   })) << ui.trace()["notes"];
-  ui.screenshot("77-default-bricks");
+  ui.screenshot("77-preset-bricks");
 }
 
 /// A keyed sun in a group, and its key at frame 1.

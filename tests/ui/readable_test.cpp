@@ -39,11 +39,11 @@ TEST_P(Readable, NamesAndTheStatusLineAreWholeWhereThereIsRoom) {
   for (const std::string& text : all)
     EXPECT_EQ(text.find(" ms"), std::string::npos)
         << "figures of the status line are shown whole or not: " << text;
-  ui.click("header/Sun");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["selection"] == json{"Sun"}; }));
+  ui.click("header/Sky");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return t["selection"] == json{"Sky"}; }));
   ui.settle();
-  ui.screenshot(fmt::format("readable-{}-{}-sun", scale, theme));
-  for (const char* label : {"Use temperature", "Disc samples", "Irradiance"})
+  ui.screenshot(fmt::format("readable-{}-{}-sky", scale, theme));
+  for (const char* label : {"Ground albedo", "Altitude", "Irradiance"})
     EXPECT_FALSE(has(cuts(ui.trace()), label)) << label << " is cut";
 }
 

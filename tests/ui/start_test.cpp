@@ -67,7 +67,7 @@ TEST(Start, GalleryRecentFilesAndTour) {
       << "the default preset lies below";
   ui.screenshot("start-view");
   for (const char* preset : {"default.json", "cumulus.json", "smoke-column.json", "light-shafts.json",
-                             "two-lights.json", "compare-representations.json"})
+                             "two-lights.json", "sea-of-clouds.json"})
     EXPECT_TRUE(ui.waitRect(std::string("start/preset/") + preset)) << preset;
 
   // A click beside it closes it, Help opens it again, Esc closes it.

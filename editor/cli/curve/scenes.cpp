@@ -73,7 +73,8 @@ Result<CurveScene> cloudScene() {
     const dvec3 at = 650.0 * (i - 1) * along + dvec3(0, 20 * i, 0);
     const double size = sizes[i];
     add(file, name, "volume.cloud",
-        {{"seed", 40 + i},
+        {{"genus", "classic"},  // so that figures compare with those of before
+         {"seed", 40 + i},
          {"center", {at.x, at.y, at.z}},
          {"size", {1.6 * size, size, 1.6 * size}},
          {"coverage", 0.5},

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "renderer/volume/procedural.h"
+#include "renderer/volume/cloud/procedural.h"
 #include "tests/support/exact_scattering.h"
 #include "tests/support/shadow_specs.h"
 
@@ -17,6 +17,7 @@ using shadow::ShadowSpec;
 const volume::Instance& cumulus() {
   static const volume::Instance cloud = [] {
     volume::CloudParams p;
+    p.genus = volume::Genus::Classic;
     p.seed = 5;
     p.center = dvec3(0);
     p.size = dvec3(640, 420, 640);

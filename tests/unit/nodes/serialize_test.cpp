@@ -14,7 +14,7 @@
 namespace pileus::nodes {
 namespace {
 
-std::string fixture(const std::string& name = "format3.json") {
+std::string fixture(const std::string& name = "format4.json") {
   return readFile(std::string(PILEUS_SOURCE_DIR) + "/tests/unit/nodes/fixtures/" + name).value();
 }
 
@@ -50,7 +50,7 @@ void expectFixture(const Graph& graph) {
   EXPECT_TRUE(graph.links.back().muted);
 }
 
-TEST(Serialize, FormatThreeIsReadAndSavedByteForByte) {
+TEST(Serialize, FormatFourIsReadAndSavedByteForByte) {
   const auto loaded = parseGraph(fixture());
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(graphText(loaded->graph), fixture());
@@ -59,20 +59,29 @@ TEST(Serialize, FormatThreeIsReadAndSavedByteForByte) {
   EXPECT_EQ(loaded->graph.links.size(), 6u);
 }
 
-TEST(Serialize, FormatTwoIsReadAndSavedAsFormatThree) {
+TEST(Serialize, FormatThreeIsReadAndSavedAsFormatFour) {
+  const std::string text = fixture("format3.json");
+  const auto loaded = parseGraph(text);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(faultsOf(text), kFixtureFaults);
+  expectFixture(loaded->graph);
+  EXPECT_EQ(graphText(loaded->graph), fixture()) << "its cloud is a classic one";
+}
+
+TEST(Serialize, FormatTwoIsReadAndSavedAsFormatFour) {
   std::string text = fixture("format2.json");
   const auto loaded = parseGraph(text);
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(faultsOf(text), kFixtureFaults);
   expectFixture(loaded->graph);
   // Of one node a default changed, and nothing else is new.
-  text.replace(text.find("\"pileus\": 2"), 11, "\"pileus\": 3");
+  text.replace(text.find("\"pileus\": 2"), 11, "\"pileus\": 4");
   const std::string samples = "\"samples\": 4";
   text.replace(text.find(samples), samples.size(), samples + ",\n        \"scattering\": \"single\"");
   EXPECT_EQ(graphText(loaded->graph), text);
 }
 
-TEST(Serialize, FormatOneIsReadAndSavedAsFormatThree) {
+TEST(Serialize, FormatOneIsReadAndSavedAsFormatFour) {
   std::string text = fixture("format1.json");
   const auto loaded = parseGraph(text);
   ASSERT_TRUE(loaded) << loaded.error().message;
@@ -80,7 +89,7 @@ TEST(Serialize, FormatOneIsReadAndSavedAsFormatThree) {
   expectFixture(loaded->graph);
   EXPECT_EQ(loaded->graph.links.size(), 4u);
   // Of one node a default changed, and nothing else is new.
-  text.replace(text.find("\"pileus\": 1"), 11, "\"pileus\": 3");
+  text.replace(text.find("\"pileus\": 1"), 11, "\"pileus\": 4");
   const std::string file = "\"file\": \"../smoke/a.vdb\"";
   text.replace(text.find(file), file.size(), file + ",\n        \"level_set\": \"ignore\"");
   EXPECT_EQ(graphText(loaded->graph), text);
@@ -196,7 +205,7 @@ TEST(Serialize, WhatIsNoGraphIsRefusedWithLineAndColumn) {
   EXPECT_TRUE(faultsOf("{}").starts_with("refused: not a Pileus graph: \"pileus\""));
   EXPECT_TRUE(faultsOf(R"({"pileus": "1"})").starts_with("refused: not a Pileus graph"));
   EXPECT_TRUE(faultsOf(R"({"pileus": 0})").starts_with("refused: not a Pileus graph"));
-  EXPECT_TRUE(faultsOf(R"({"pileus": 4})").starts_with("refused: written by a newer Pileus: format 4"));
+  EXPECT_TRUE(faultsOf(R"({"pileus": 5})").starts_with("refused: written by a newer Pileus: format 5"));
   EXPECT_TRUE(faultsOf(R"({"pileus": 99999999999999999999})").starts_with("refused: "));
   EXPECT_EQ(faultsOf(std::string(100000, '[')), "refused: line 1, column 65: nested deeper than 64\n");
   std::string nested = R"({"pileus": 1, "x": )" + std::string(63, '[') + std::string(63, ']') + "}";

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <thread>
 
-#include "renderer/volume/procedural.h"
+#include "renderer/volume/cloud/procedural.h"
 
 namespace pileus::volume {
 namespace {
 
 CloudParams coarse(int resolution = 64) {
   CloudParams p;
+  p.genus = Genus::Classic;
   p.resolution = resolution;
   return p;
 }
@@ -125,16 +126,16 @@ TEST(Cloud, EveryCornerOfTheParametersWorks) {
 
 TEST(Cloud, ParametersOutOfRangeAreNamed) {
   JobControl control;
-  CloudParams p;
+  CloudParams p = coarse();
   p.coverage = 1.5;
   auto r = bakeCloud(p, control);
   ASSERT_FALSE(r);
   EXPECT_EQ(r.error().code, Code::Arguments);
   EXPECT_NE(r.error().message.find("coverage"), std::string::npos);
-  p = {};
+  p = coarse();
   p.size.y = std::nan("");
   EXPECT_FALSE(bakeCloud(p, control));
-  p = {};
+  p = coarse();
   p.resolution = 1000000;
   EXPECT_FALSE(bakeCloud(p, control));
 }

@@ -1,14 +1,10 @@
-#include "renderer/volume/procedural.h"
-
-#include <tbb/parallel_for.h>
+#include "renderer/volume/cloud/classic_cloud.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
-#include "renderer/volume/brick_builder.h"
-#include "renderer/volume/cloud_shape.h"
-#include "renderer/volume/noise.h"
+#include "renderer/volume/cloud/classic_shape.h"
+#include "renderer/volume/cloud/noise.h"
 
 namespace pileus::volume {
 namespace {
@@ -124,36 +120,23 @@ class Field {
   float reach_ = 0, warp_ = 0, warpFrequency_ = 1, edge_ = 1, outside_ = 0;
 };
 
-Result<void> check(const CloudParams& p) {
-  const auto outside = [](const char* what, double value, double lo, double hi) {
-    return fail(Code::Arguments, "cloud: {} is {}, but must lie in {} .. {}", what, value, lo, hi);
-  };
-  const auto in = [](double v, double lo, double hi) { return v >= lo && v <= hi; };
-  if (!in(p.coverage, 0, 1)) return outside("coverage", p.coverage, 0, 1);
-  if (!in(p.density, 0, 1e6)) return outside("density", p.density, 0, 1e6);
-  if (!in(p.detail, 0, 1)) return outside("detail", p.detail, 0, 1);
-  if (!in(p.billow, 0, 1)) return outside("billow", p.billow, 0, 1);
-  if (!in(p.shear, -10, 10)) return outside("shear", p.shear, -10, 10);
-  if (!in(p.resolution, 16, 1024)) return outside("resolution", p.resolution, 16, 1024);
-  for (int a = 0; a < 3; ++a) {
-    if (!in(p.size[a], 1e-3, 1e7)) return outside("size", p.size[a], 1e-3, 1e7);
-    if (!in(p.center[a], -1e9, 1e9)) return outside("center", p.center[a], -1e9, 1e9);
-  }
-  return {};
-}
+}  // namespace
 
-/// 16^3 floats per brick of the box, null where the field is 0.
-struct Bake {
-  ivec3 voxels, bricks;
-  std::vector<std::unique_ptr<float[]>> data;
-  const float* at(ivec3 b) const {
-    if (glm::any(glm::lessThan(b, ivec3(0))) || glm::any(glm::greaterThanEqual(b, bricks))) return nullptr;
-    return data[static_cast<std::size_t>((b.z * bricks.y + b.y) * bricks.x + b.x)].get();
-  }
+struct ClassicCloud::Parts {
+  CloudShape shape;
+  float voxel;
+  Field field;
+  Parts(const CloudParams& params, float edge, JobControl& control)
+      : shape(shapeClouds(params, control)), voxel(edge), field(params, shape, edge) {}
 };
 
-void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& shape, float voxel,
-               JobControl& control) {
+ClassicCloud::ClassicCloud(const CloudParams& params, float voxel, JobControl& control)
+    : parts_(std::make_unique<const Parts>(params, voxel, control)) {}
+
+ClassicCloud::~ClassicCloud() = default;
+
+bool ClassicCloud::brick(ivec3 brick, ivec3 voxels, float* out, JobControl& control) const {
+  const auto& [shape, voxel, field] = *parts_;
   const auto position = [&](ivec3 index) { return (vec3(index) + 0.5f) * voxel; };
   vec3
       center;  // of a block of n voxels, unsheared and warped, and how far from there its field can come from
@@ -182,16 +165,16 @@ void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& sh
         near.push_back(b);  // smaller ones do not show
     }
   }
-  if (near.empty()) return;
+  if (near.empty()) return false;
   std::stable_sort(near.begin(), near.end(),
                    [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
-  std::unique_ptr<float[]> out;
+  bool any = false;
   for (int z = 0; z < kBrickSize; z += kCell)
     for (int y = 0; y < kBrickSize; y += kCell)
       for (int x = 0; x < kBrickSize; x += kCell) {
-        if (control.cancelled()) return;
+        if (control.cancelled()) return false;
         const ivec3 lo = brick * kBrickSize + ivec3(x, y, z);
-        if (glm::any(glm::greaterThanEqual(lo, bake.voxels))) continue;
+        if (glm::any(glm::greaterThanEqual(lo, voxels))) continue;
         block(lo, kCell);
         local.clear();
         for (const Ball& b : near)
@@ -201,87 +184,15 @@ void bakeBrick(Bake& bake, ivec3 brick, const Field& field, const CloudShape& sh
           for (int j = 0; j < kCell; ++j)
             for (int i = 0; i < kCell; ++i) {
               const ivec3 p = lo + ivec3(i, j, k);
-              if (glm::any(glm::greaterThanEqual(p, bake.voxels))) continue;
+              if (glm::any(glm::greaterThanEqual(p, voxels))) continue;
               const float v = field(position(p), local);
               if (v <= 0) continue;
-              if (!out) out = std::make_unique<float[]>(kBrickSize * kBrickSize * kBrickSize);
+              if (!any) std::fill(out, out + kBrickSize * kBrickSize * kBrickSize, 0.0f);
+              any = true;
               out[static_cast<std::size_t>(((z + k) * kBrickSize + y + j) * kBrickSize + x + i)] = v;
             }
       }
-  bake.data[static_cast<std::size_t>((brick.z * bake.bricks.y + brick.y) * bake.bricks.x + brick.x)] =
-      std::move(out);
-}
-
-/// Index bounds of the voxels that are not 0.
-void tightBounds(const Bake& bake, ivec3& lowest, ivec3& highest) {
-  lowest = ivec3(1 << 20);
-  highest = ivec3(-1);
-  for (int bz = 0; bz < bake.bricks.z; ++bz)
-    for (int by = 0; by < bake.bricks.y; ++by)
-      for (int bx = 0; bx < bake.bricks.x; ++bx) {
-        const float* data = bake.at({bx, by, bz});
-        if (!data) continue;
-        for (int i = 0; i < kBrickSize * kBrickSize * kBrickSize; ++i) {
-          if (data[i] == 0) continue;
-          const ivec3 p = ivec3(bx, by, bz) * kBrickSize +
-                          ivec3(i % kBrickSize, i / kBrickSize % kBrickSize, i / kBrickSize / kBrickSize);
-          lowest = glm::min(lowest, p);
-          highest = glm::max(highest, p);
-        }
-      }
-}
-
-Fill gatherBlock(const Bake& bake, ivec3 lo, float* out) {
-  bool any = false;
-  for (int z = 0; z < kStoredSize; ++z)
-    for (int y = 0; y < kStoredSize; ++y)
-      for (int x = 0; x < kStoredSize; ++x) {
-        const ivec3 p = lo + ivec3(x, y, z);
-        const float* data = glm::any(glm::lessThan(p, ivec3(0))) ? nullptr : bake.at(p / kBrickSize);
-        const ivec3 l = p & (kBrickSize - 1);
-        const float v = data ? data[(l.z * kBrickSize + l.y) * kBrickSize + l.x] : 0.0f;
-        any |= v != 0;
-        *out++ = v;
-      }
-  return any ? Fill::Voxels : Fill::Zero;
-}
-
-}  // namespace
-
-Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control) {
-  PILEUS_CHECK(check(params));
-  const double longest = std::max({params.size.x, params.size.y, params.size.z});
-  const double voxel = longest / params.resolution;
-  const dvec3 lowest = params.center - 0.5 * params.size;
-  VoxelSource source;
-  source.name = "cloud";
-  source.worldFromIndex = glm::scale(glm::translate(dmat4(1.0), lowest + 0.5 * voxel), dvec3(voxel));
-  if (params.coverage == 0 || params.density == 0) return emptyGrid(source.name, source.worldFromIndex);
-
-  const CloudShape shape = shapeClouds(params, control);
-  if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
-  const Field field(params, shape, static_cast<float>(voxel));
-  Bake bake;
-  bake.voxels = glm::max(ivec3(params.size / voxel + 0.5), ivec3(1));
-  bake.bricks = (bake.voxels + (kBrickSize - 1)) / kBrickSize;
-  const std::size_t count =
-      std::size_t(bake.bricks.x) * std::size_t(bake.bricks.y) * std::size_t(bake.bricks.z);
-  bake.data.resize(count);
-  std::atomic<std::size_t> done{0};
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
-    if (control.cancelled()) return;
-    const int flat = static_cast<int>(i);
-    bakeBrick(
-        bake,
-        {flat % bake.bricks.x, flat / bake.bricks.x % bake.bricks.y, flat / bake.bricks.x / bake.bricks.y},
-        field, shape, static_cast<float>(voxel), control);
-    control.progress(0.9 * double(++done) / double(count));
-  });
-  if (control.cancelled()) return fail(Code::Cancelled, "cancelled");
-  tightBounds(bake, source.activeMin, source.activeMax);
-  source.fill = [&](ivec3 lo, float* out) { return gatherBlock(bake, lo, out); };
-  PILEUS_TRY(BuildResult built, buildBricks(source, control, 0.9));
-  return built.grid;
+  return any;
 }
 
 }  // namespace pileus::volume

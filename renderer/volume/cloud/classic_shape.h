@@ -3,7 +3,7 @@
 // ones on their surface for the cauliflower. No voxels here.
 #include <vector>
 
-#include "renderer/volume/procedural.h"
+#include "renderer/volume/cloud/procedural.h"
 
 namespace pileus::volume {
 

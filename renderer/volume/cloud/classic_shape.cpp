@@ -1,8 +1,8 @@
-#include "renderer/volume/cloud_shape.h"
+#include "renderer/volume/cloud/classic_shape.h"
 
 #include <algorithm>
 
-#include "renderer/volume/noise.h"
+#include "renderer/volume/cloud/noise.h"
 
 namespace pileus::volume {
 namespace {

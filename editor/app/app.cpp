@@ -296,7 +296,7 @@ int withEditor(const EditorOptions& options, const std::function<void(Editor&)>&
     const gl::DeviceInfo& device = editor.shown.renderer.device();
     crash::setDevice(device.renderer + ", " + device.version);
     editor.window.holds = [&editor](const InputEvent& e, bool moved) { return holdsInput(editor, e, moved); };
-    beginStart(editor.settings, editor.start, options.file.empty() && editor.settings.showStart);
+    beginStart(editor.settings, editor.start, !options.file.empty());
     use(editor);
     // Saved or given up, unless somebody else ended the program.
     if (endSignal() == 0) editor.session.recovery.discard();

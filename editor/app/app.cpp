@@ -92,24 +92,40 @@ PreviewRequest previewRequest(const Editor& editor) {
   return request;
 }
 
+/// The draft of the truth, which one waits for: longer frames, and no refinement beside it.
+void stepTruthFirst(Editor& editor) {
+  Shown& shown = editor.shown;
+  const Stopwatch clock;
+  while (clock.ms() < 2 * kSliceMs && compareGoesFirst(shown) && !editor.window.inputPending()) {
+    stepCompare(editor.messages, shown, 0.25 * kSliceMs);
+    editor.window.waitEvents(0);
+  }
+  shown.preview.hold(compareGoesFirst(shown));
+}
+
 void evaluate(Editor& editor) {
   // Several steps a frame, so that drawing the window costs a refinement little; but input comes first: while
   // events wait, the picture does.
   const Stopwatch clock;
   editor.shown.preview.watchFiles();
-  // Until the comparison shows what it will be, it is not left to what a refinement spares: that is nothing.
-  if (!editor.shown.preview.complete() && !editor.window.inputPending() &&
-      !labWantsFrame(editor.shown, editor.lab) && compareWantsFrame(editor.shown))
-    stepCompare(editor.messages, editor.shown, kSliceMs * (editor.shown.compare.shownTruth() ? 0.25 : 0.6));
+  Shown& shown = editor.shown;
+  shown.preview.hold(false);
+  if (!editor.window.inputPending() && !labWantsFrame(shown, editor.lab)) {
+    if (compareGoesFirst(shown))
+      stepTruthFirst(editor);
+    else if (!shown.preview.complete() && compareWantsFrame(shown))
+      // Otherwise it would be left to what a refinement spares: that is nothing.
+      stepCompare(editor.messages, shown, kSliceMs * (shown.compare.shownTruth() ? 0.25 : 0.6));
+  }
   while (!editor.window.inputPending()) {
-    editor.shown.preview.step(previewRequest(editor));
-    if (editor.shown.preview.complete() || !editor.shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;
+    shown.preview.step(previewRequest(editor));
+    if (shown.preview.complete() || !shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;
     editor.window.waitEvents(0);
   }
   if (editor.window.inputPending()) return;
   if (const double left = kSliceMs - clock.ms(); left > 0)
-    labWantsFrame(editor.shown, editor.lab) ? stepLab(editor.ui, editor.shown, editor.lab, left)
-                                            : stepCompare(editor.messages, editor.shown, left);
+    labWantsFrame(shown, editor.lab) ? stepLab(editor.ui, shown, editor.lab, left)
+                                     : stepCompare(editor.messages, shown, left);
   if (auto outcome = editor.exporter.step()) {
     if (editor.quitAfterExport && *outcome) editor.quit = true;
     if (*outcome)
@@ -296,7 +312,7 @@ int withEditor(const EditorOptions& options, const std::function<void(Editor&)>&
     const gl::DeviceInfo& device = editor.shown.renderer.device();
     crash::setDevice(device.renderer + ", " + device.version);
     editor.window.holds = [&editor](const InputEvent& e, bool moved) { return holdsInput(editor, e, moved); };
-    beginStart(editor.settings, editor.start, options.file.empty() && editor.settings.showStart);
+    beginStart(editor.settings, editor.start, !options.file.empty());
     use(editor);
     // Saved or given up, unless somebody else ended the program.
     if (endSignal() == 0) editor.session.recovery.discard();

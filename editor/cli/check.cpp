@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "nodes/evaluate/flatten.h"
+#include "nodes/graph/graph_animation.h"
 
 namespace pileus::cli {
 namespace {
@@ -28,14 +29,19 @@ void checkFiles(const std::string& name, const nodes::Node& node, const nodes::N
                 const std::filesystem::path& folder, std::vector<Fault>& faults) {
   for (const nodes::ParamSpec& spec : type.params) {
     if (spec.type != nodes::ParamType::File || spec.writes) continue;
-    const std::string text = std::get<std::string>(nodes::paramValue(node, spec));
-    if (text.empty()) {
-      faults.push_back({needed, name + "." + spec.id, "no file chosen"});
-      continue;
+    std::vector<nodes::HeldValue> values = nodes::heldValues(node, spec.id);
+    if (values.empty()) values.push_back({spec.fallback, std::nullopt});
+    for (const auto& [value, frame] : values) {
+      const auto* text = std::get_if<std::string>(&value);
+      const std::string at = frame ? fmt::format(" (key of frame {})", *frame) : "";
+      if (!text || text->empty()) {
+        faults.push_back({needed, name + "." + spec.id, "no file chosen" + at});
+        continue;
+      }
+      const auto path = (folder / *text).lexically_normal();
+      if (const std::string reason = unreadable(path); !reason.empty())
+        faults.push_back({true, name + "." + spec.id, path.string() + ": " + reason + at});
     }
-    const auto path = (folder / text).lexically_normal();
-    if (const std::string reason = unreadable(path); !reason.empty())
-      faults.push_back({true, name + "." + spec.id, path.string() + ": " + reason});
   }
 }
 

@@ -153,13 +153,14 @@ bool openFile(Editor& editor, const fs::path& path) {
     return true;
   }
   const fs::path whole = fs::absolute(path, ec).lexically_normal();
+  const Key stamp = fileStamp(whole);  // before it is read: what is written meanwhile is somebody else's
   Result<nodes::Loaded> loaded = nodes::loadGraph(whole);
   if (!loaded) {
     failed(editor, "The file was not opened", loaded.error());
     return false;
   }
   put(editor, std::move(*loaded), whole, whole.filename().string());
-  editor.session.diskStamp = fileStamp(whole);
+  editor.session.diskStamp = stamp;
   remember(editor.settings.recentFiles, whole.string());
   tellMissing(editor);
   return true;
@@ -184,10 +185,11 @@ bool openLost(Editor& editor, const Lost& lost) {
     return false;
   }
   Result<nodes::Loaded> saved = nodes::Loaded{};
+  const Key stamp = fileStamp(lost.original);
   if (!lost.original.empty()) saved = nodes::loadGraph(lost.original);
   put(editor, saved ? std::move(*saved) : nodes::Loaded{}, lost.original,
       lost.original.empty() ? "Untitled" : lost.original.filename().string());
-  editor.session.diskStamp = fileStamp(lost.original);
+  editor.session.diskStamp = stamp;
   editor.session.document.editRoot(std::move(work->graph), "Recover unsaved work");
   editor.canvas.frameAll = true;
   // Ours before the old one goes.

@@ -27,12 +27,13 @@ void collect(const Session& session, const nodes::Graph& graph, const std::strin
     const nodes::NodeType* type = nodes::findNodeType(node->type);
     if (!type) continue;
     for (const nodes::ParamSpec& spec : type->params) {
-      const auto value = node->params.find(spec.id);
-      if (spec.type != nodes::ParamType::File || spec.writes || value == node->params.end()) continue;
-      const auto* text = std::get_if<std::string>(&value->second);
-      std::error_code ec;
-      if (text && !text->empty() && !fs::exists(firstOfPattern(absoluteFile(session, *text)), ec))
-        out.push_back({prefix + name, spec.id, *text});
+      if (spec.type != nodes::ParamType::File || spec.writes) continue;
+      for (const auto& [value, frame] : nodes::heldValues(*node, spec.id)) {
+        const auto* text = std::get_if<std::string>(&value);
+        std::error_code ec;
+        if (text && !text->empty() && !fs::exists(firstOfPattern(absoluteFile(session, *text)), ec))
+          out.push_back({prefix + name, spec.id, *text, frame});
+      }
     }
   }
 }
@@ -82,7 +83,7 @@ Result<nodes::Graph> relinked(const nodes::Graph& root, const std::vector<Missin
   for (const MissingFile& m : missing) {
     const auto place = places.find(fileName(m));
     if (!graph || place == places.end()) continue;
-    graph = nodes::setParamAt(*graph, m.node, m.param, place->second.string(), 0);
+    graph = nodes::setParamAt(*graph, m.node, m.param, place->second.string(), m.frame.value_or(0));
     ++found;
   }
   return graph;
@@ -90,8 +91,11 @@ Result<nodes::Graph> relinked(const nodes::Graph& root, const std::vector<Missin
 
 void showMissing(Editor& editor) {
   editor.modals.missing.clear();
-  for (const MissingFile& m : missingFiles(editor.session))
-    editor.modals.missing.push_back({m.node + "." + m.param, absoluteFile(editor.session, m.text).string()});
+  for (const MissingFile& m : missingFiles(editor.session)) {
+    const std::string at = m.frame ? fmt::format(", frame {}", *m.frame) : "";
+    editor.modals.missing.push_back(
+        {m.node + "." + m.param + at, absoluteFile(editor.session, m.text).string()});
+  }
   if (editor.modals.missing.empty()) editor.messages.hint("No file is missing.");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Files that the document reads and that are not there: which, and finding all of them in another folder.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ struct Editor;
 struct Session;
 
 struct MissingFile {
-  std::string node, param;  ///< node: its path
-  std::string text;         ///< as the parameter has it
+  std::string node, param;      ///< node: its path
+  std::string text;             ///< as the parameter has it
+  std::optional<double> frame;  ///< of the key that has it; none: it is constant
 };
 /// In the order of nodes; those of groups too. Asks the disk.
 std::vector<MissingFile> missingFiles(const Session& session);

@@ -56,10 +56,10 @@ void drawName(Ui& ui, Session& session, Shown& shown, Parameters& parameters, co
     if (!ImGui::IsItemActive()) panel.nameText = name;
     return;
   }
+  std::set<std::string> selection = session.document.selection();  // an edit drops names that are gone
   if (panel.nameText != name &&
       tryEdit(session, ui.messages, nodes::renameNode(session.document.graph(), name, panel.nameText),
               "Rename " + name)) {
-    std::set<std::string> selection = session.document.selection();
     if (selection.erase(name)) selection.insert(panel.nameText);
     session.document.select(std::move(selection));
     viewsFollow(session, shown, name, panel.nameText);

@@ -13,6 +13,11 @@ namespace {
 /// A CPU marches some 10,000 pixels of truth while one waits, and some 1,000 before one notices; a GPU all of
 /// them.
 constexpr double kCoarsePixels = 10000, kDraftPixels = 1000;
+/// A draft takes long steps and solves for scattered light on few cells.
+constexpr double kDraftSteps = 2, kDraftResidual = 1e-2;
+constexpr int kDraftCells = 16;
+/// The refinement waits that long for a draft: a truth that takes more is made beside it.
+constexpr double kDraftGoesFirstMs = 1500;
 /// The small comparison runs beside the picture's refinement, the large one after it.
 constexpr double kCoarseSamples = 1;
 
@@ -29,6 +34,15 @@ view::RenderScene reduced(const Shown& shown, const view::RenderScene& scene, do
   out.options.size = glm::max(scene.options.size / by, ivec2(1));
   out.options.samples = static_cast<int>(kCoarseSamples);
   return out;
+}
+
+std::unique_ptr<truth::ComparePass> draftOf(const Shown& shown, const view::RenderScene& scene) {
+  view::RenderScene draft = reduced(shown, scene, kDraftPixels);
+  if (shown.renderer.device().software) draft.options.stepScale *= kDraftSteps;
+  view::ScatterOptions& scatter = draft.options.scatter;
+  scatter.cells = std::min(scatter.cells, kDraftCells);
+  scatter.residual = std::max(scatter.residual, kDraftResidual);
+  return std::make_unique<truth::ComparePass>(draft, shown.compare.kind, truth::CompareOrder::TruthFirst);
 }
 
 /// What a pass costs, in samples of pixels: two pictures and the shadows' error.
@@ -49,6 +63,7 @@ void forget(CompareMode& mode) {
 void forgetDraft(CompareMode& mode) {
   mode.draftScene.reset();
   mode.draft.reset();
+  mode.draftMs = 0;
 }
 
 /// 1, 2 or 5 times a power of ten, at least `value`.
@@ -82,7 +97,7 @@ const truth::ComparePass* CompareMode::shown() const {
 
 const truth::ComparePass* CompareMode::shownTruth() const {
   if (const truth::ComparePass* pass = shown()) return pass;
-  return of == CompareOf::Radiance && whole(draft.get(), of) ? draft.get() : nullptr;
+  return of == CompareOf::Radiance && draft && draft->truthWhole() ? draft.get() : nullptr;
 }
 
 const truth::ComparePass* CompareMode::measured() const {
@@ -101,11 +116,9 @@ void followPicture(Shown& shown) {
     // A draft has maps of its own, which say nothing about the final ones; but its truth is the same.
     if (picture->scene == mode.draftScene) return;
     forget(mode);
+    forgetDraft(mode);
     mode.draftScene = picture->scene;
-    mode.draft.reset();
-    if (comparable(*picture->scene, mode.kind))
-      mode.draft =
-          std::make_unique<truth::ComparePass>(reduced(shown, *picture->scene, kDraftPixels), mode.kind);
+    if (comparable(*picture->scene, mode.kind)) mode.draft = draftOf(shown, *picture->scene);
     return;
   }
   // What comes behind its draft keeps that one's truth until it has one itself.
@@ -120,7 +133,7 @@ void followPicture(Shown& shown) {
   mode.coarse = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kCoarsePixels), mode.kind);
   if (mode.draft) return;
   mode.draftScene = mode.scene;
-  mode.draft = std::make_unique<truth::ComparePass>(reduced(shown, *mode.scene, kDraftPixels), mode.kind);
+  mode.draft = draftOf(shown, *mode.scene);
 }
 
 namespace {
@@ -151,6 +164,12 @@ bool compareWantsFrame(const Shown& shown) {
   return pass && (pass != mode.fine.get() || shown.preview.settled());
 }
 
+bool compareGoesFirst(const Shown& shown) {
+  const CompareMode& mode = shown.compare;
+  return (shown.preview.refining() || shown.preview.settled()) && compareWantsFrame(shown) &&
+         !mode.shownTruth() && passToStep(shown) == mode.draft.get() && mode.draftMs < kDraftGoesFirstMs;
+}
+
 void stepCompare(Messages& messages, Shown& shown, double ms) {
   CompareMode& mode = shown.compare;
   if (!compareWantsFrame(shown)) return;
@@ -163,7 +182,9 @@ void stepCompare(Messages& messages, Shown& shown, double ms) {
     messages.error("Cannot compare: " + mode.error);
     return;
   }
-  if (&pass != mode.draft.get()) {
+  if (&pass == mode.draft.get()) {
+    mode.draftMs += clock.ms();
+  } else {
     mode.workedMs += clock.ms();
     mode.workedUnits += (pass.fraction() - before) * units(pass.scene(), mode.kind);
   }

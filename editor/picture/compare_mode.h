@@ -52,6 +52,7 @@ struct CompareMode {
   std::unique_ptr<truth::ComparePass> coarse, fine;
   std::shared_ptr<const view::RenderScene> draftScene;  ///< of the draft, perhaps with the maps of drafts
   std::unique_ptr<truth::ComparePass> draft;
+  double draftMs = 0;                    ///< spent on the draft
   double workedMs = 0, workedUnits = 0;  ///< spent on them, and what was done in it: for the time left
   std::string error;
 
@@ -71,6 +72,9 @@ struct CompareMode {
 void followPicture(Shown& shown);
 /// Is there work that can be done now?
 bool compareWantsFrame(const Shown& shown);
+/// Is the work that can be done now the draft of the truth, behind the draft of the picture? One waits for
+/// it: the refinement rests until it is there, for a second or two at most.
+bool compareGoesFirst(const Shown& shown);
 /// About `ms` milliseconds of it.
 void stepCompare(Messages& messages, Shown& shown, double ms);
 /// 0..1 of the final comparison.

@@ -104,7 +104,7 @@ void Preview::step(const PreviewRequest& wanted) {
     forgetPicture();
     return;
   }
-  if (complete_ || (paused_ && !currentIsDraft_)) return;
+  if (complete_ || ((paused_ || held_) && !currentIsDraft_)) return;
 
   nodes::EvalSettings settings;
   settings.size = current_.size;
@@ -174,8 +174,9 @@ void Preview::takePicture(bool draft) {
   const nodes::SocketValue* value = shownImage(evaluator_, current_.graph, current_.view);
   const auto* image = value ? std::get_if<nodes::ImageValue>(value) : nullptr;
   if (!image || !image->picture || !error_.empty()) return;
-  // A draft that is not whole replaces only nothing at all. The final picture began as its draft.
-  if (draft && image->picture->samples < 1 && picture_ && picture_ != image->picture) return;
+  // A draft is shown once it is whole: what it lacks would look like places without light. The final picture
+  // began as its draft.
+  if (draft && !complete_ && image->picture->samples < 1 && picture_ != image->picture) return;
   picture_ = image->picture;
   ours_ = true;
   draftShown_ = draft;

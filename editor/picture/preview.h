@@ -40,6 +40,8 @@ class Preview {
   /// One frame's work. Cheap when nothing is to be done.
   void step(const PreviewRequest& wanted);
   void pause(bool on) { paused_ = on; }
+  /// The final picture rests while something else goes first; what changes is followed all the same.
+  void hold(bool on) { held_ = on; }
   /// Looks, at most once a second, whether files that the picture was made from have changed: then it is made
   /// anew.
   void watchFiles();
@@ -101,7 +103,7 @@ class Preview {
   bool waited_ = false;                    ///< one of them, for a job or for programs to be compiled
   std::map<std::string, std::uint64_t> evaluations_;  ///< of each node when it began
   std::optional<int> frame_;  ///< wanted last: another one is like something that is dragged
-  bool touched_ = false, paused_ = false, complete_ = false, draftShown_ = false;
+  bool touched_ = false, paused_ = false, held_ = false, complete_ = false, draftShown_ = false;
   bool currentIsDraft_ = false, fresh_ = true;
   bool fast_ = false;          ///< the last final picture took less than one budget: no drafts are needed
   bool skippedDraft_ = false;  ///< therefore the current one began without

@@ -1,8 +1,6 @@
 #include "editor/start/start_view.h"
 
 #include <imgui.h>
-#include <spawn.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +13,7 @@
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
+#include "renderer/base/child_process.h"
 
 namespace fs = std::filesystem;
 
@@ -37,13 +36,14 @@ std::string ago(std::int64_t time) {
   return fmt::format("{} days ago", (seconds + 43200) / 86400);
 }
 
+std::string nameOf(const Lost& lost) {
+  return lost.original.empty() ? "an unnamed document" : lost.original.filename().string();
+}
+
 /// The desktop's file manager, where there is one; the path is said in any case.
 void showInFolder(Ui& ui, const fs::path& path) {
   const std::string folder = path.parent_path().string();
-  std::string program = "xdg-open", argument = folder;
-  char* const arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  (void)::posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
+  (void)startDetached("xdg-open", {folder});
   ui.messages.info("In " + folder);
 }
 
@@ -206,8 +206,7 @@ void drawNotices(Ui& ui, StartView& start, Choice& choice) {
   int erase = -1;
   for (std::size_t i = 0; i < shown; ++i) {
     const Lost& lost = found.lost[i];
-    const std::string name =
-        lost.original.empty() ? "an unnamed document" : lost.original.filename().string();
+    const std::string name = nameOf(lost);
     ImGui::PushID(static_cast<int>(i));
     ImGui::AlignTextToFramePadding();
     ImGui::Text("%s  Unsaved work of %s, %s", icon::kWarning, name.c_str(), ago(lost.time).c_str());
@@ -251,11 +250,22 @@ StartFindings look(const std::vector<std::string>& recent) {
   return out;
 }
 
+/// Over a file that was asked for nothing opens by itself.
+void offerLost(Ui& ui, const std::vector<Lost>& lost) {
+  const std::string more = lost.size() > 1 ? fmt::format(" and {} more", lost.size() - 1) : "";
+  ui.messages.offer(fmt::format("Unsaved work of {}{}, {}, is kept. Help > Start View has it, too.",
+                                nameOf(lost.front()), more, ago(lost.front().time)),
+                    "Show", "help.start");
+}
+
 void takeFindings(Ui& ui, StartView& start) {
   if (!start.search || !start.search->done()) return;
   start.found = *start.search->result();
   start.search.reset();
-  if (!start.found.lost.empty() && !start.open) openStart(start);
+  if (!start.found.lost.empty() && start.fileGiven)
+    offerLost(ui, start.found.lost);
+  else if (!start.found.lost.empty() && !start.open)
+    openStart(start);
   for (const fs::path& report : start.found.crashes)
     ui.messages.warn("Pileus ended unexpectedly last time. A report was written: " + report.string());
 }
@@ -287,10 +297,11 @@ const std::vector<PresetText>& galleryTexts() {
   return texts;
 }
 
-void beginStart(const Settings& settings, StartView& start, bool show) {
+void beginStart(const Settings& settings, StartView& start, bool fileGiven) {
   start.search = std::make_unique<Job<StartFindings>>(
       [recent = settings.recentFiles](JobControl&) -> Result<StartFindings> { return look(recent); });
-  if (show) openStart(start);
+  start.fileGiven = fileGiven;
+  if (!fileGiven && settings.showStart) openStart(start);
 }
 
 void openStart(StartView& start) { start.open = start.appearing = true; }

@@ -25,13 +25,15 @@ struct StartFindings {
 struct StartView {
   bool open = false;
   bool appearing = false;
+  bool fileGiven = false;  ///< what was asked for is shown: unsaved work is a notice, not this view
   StartFindings found;
   std::unique_ptr<Job<StartFindings>> search;
 };
 
-/// At the start of the program: looks for unsaved work and crash reports; the view opens when `show`, and in
-/// any case when there is unsaved work.
-void beginStart(const Settings& settings, StartView& start, bool show);
+/// At the start of the program: looks for unsaved work and crash reports. With a file that was given the view
+/// stays closed and a notice tells of unsaved work; otherwise it opens where the settings say so, and in any
+/// case when there is unsaved work.
+void beginStart(const Settings& settings, StartView& start, bool fileGiven);
 /// Help > Start view.
 void openStart(StartView& start);
 /// Once a frame.

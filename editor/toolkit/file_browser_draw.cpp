@@ -31,7 +31,7 @@ Columns columns(const Theme& theme, float width) { return {width - theme.px(142)
 
 /// Of the list: what is above and below it keeps its place in a low window too.
 float listHeight(const Theme& theme) {
-  return std::clamp(ImGui::GetIO().DisplaySize.y - theme.px(300), theme.px(60), theme.px(318));
+  return std::clamp(ImGui::GetIO().DisplaySize.y - theme.px(250), theme.px(60), theme.px(318));
 }
 
 }  // namespace

@@ -65,9 +65,13 @@ Graph withRelativePaths(const Graph& graph, const fs::path& from, const fs::path
     Node changed = *node;
     if (node->group) changed.group = std::make_shared<const Graph>(withRelativePaths(*node->group, from, to));
     for (const ParamSpec& spec : type->params) {
-      const auto it = changed.params.find(spec.id);
-      if (spec.type != ParamType::File || it == changed.params.end()) continue;
-      if (auto* text = std::get_if<std::string>(&it->second)) *text = moved(*text);
+      if (spec.type != ParamType::File) continue;
+      const auto move = [&](ParamValue& value) {
+        if (auto* text = std::get_if<std::string>(&value)) *text = moved(*text);
+      };
+      if (const auto it = changed.params.find(spec.id); it != changed.params.end()) move(it->second);
+      if (const auto it = changed.animated.find(spec.id); it != changed.animated.end())
+        for (AnimationKey& key : it->second.keys) move(key.value);
     }
     if (!(changed == *node)) node = std::make_shared<const Node>(std::move(changed));
   }

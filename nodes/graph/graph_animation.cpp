@@ -198,6 +198,15 @@ Result<Graph> setParamAt(const Graph& graph, const std::string& name, const std:
   return setKey(graph, name, param, frame, value, interpolation);
 }
 
+std::vector<HeldValue> heldValues(const Node& node, const std::string& param) {
+  std::vector<HeldValue> out;
+  if (const auto keys = node.animated.find(param); keys != node.animated.end())
+    for (const AnimationKey& key : keys->second.keys) out.push_back({key.value, key.frame});
+  else if (const auto value = node.params.find(param); value != node.params.end())
+    out.push_back({value->second, std::nullopt});
+  return out;
+}
+
 Result<Graph> setFrameRange(const Graph& graph, ivec2 frames) {
   if (frames.x > frames.y) return fail(Code::Arguments, "the first frame comes after the last");
   Graph result = graph;

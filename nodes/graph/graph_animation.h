@@ -2,6 +2,7 @@
 // Edits of keyframes. Values are checked as setParam checks them; errors name node and parameter. A node may
 // be one in a group, by its path: "Group/Sun".
 #include <compare>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,14 @@ Graph clearAnimation(const Graph& graph, const std::string& node, const std::str
 /// setParam, but an animated parameter gets a key at `frame`, interpolated as the key before it.
 Result<Graph> setParamAt(const Graph& graph, const std::string& node, const std::string& param,
                          const ParamValue& value, double frame);
+
+/// A value that a node gives one of its parameters; frame: of the key that holds it, none: it is constant.
+struct HeldValue {
+  ParamValue value;
+  std::optional<double> frame;
+};
+/// Those of its keys, or the one; none: the default counts.
+std::vector<HeldValue> heldValues(const Node& node, const std::string& param);
 
 Result<Graph> setFrameRange(const Graph& graph, ivec2 frames);
 Result<Graph> setFps(const Graph& graph, double fps);

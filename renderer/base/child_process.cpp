@@ -9,11 +9,72 @@
 
 #include <cerrno>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 extern char** environ;
 
 namespace pileus {
+namespace {
+
+/// How children begin: in a process group of their own, with no signal blocked or ignored that we block or
+/// ignore, standard input from /dev/null, no file descriptors but the standard ones.
+class SpawnOptions {
+ public:
+  SpawnOptions() {
+    ::posix_spawn_file_actions_init(&actions_);
+    ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+    ::posix_spawnattr_init(&attributes_);
+    sigset_t none, defaults;
+    sigemptyset(&none);
+    sigemptyset(&defaults);
+    for (int s : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&defaults, s);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    ::posix_spawnattr_setsigdefault(&attributes_, &defaults);
+    ::posix_spawnattr_setpgroup(&attributes_, 0);
+    ::posix_spawnattr_setflags(&attributes_,
+                               POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~SpawnOptions() {
+    ::posix_spawn_file_actions_destroy(&actions_);
+    ::posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnOptions(const SpawnOptions&) = delete;
+
+  /// Standard output and error, by our descriptors.
+  void streams(int out, int err) {
+    ::posix_spawn_file_actions_adddup2(&actions_, out, 1);
+    ::posix_spawn_file_actions_adddup2(&actions_, err, 2);
+  }
+  /// A path, or with `search` a name that is looked for in $PATH.
+  Result<pid_t> spawn(const std::string& program, const std::vector<std::string>& arguments, bool search) {
+    ::posix_spawn_file_actions_addclosefrom_np(&actions_, 3);
+    std::vector<char*> argv{const_cast<char*>(program.c_str())};
+    for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+    argv.push_back(nullptr);
+    pid_t pid = -1;
+    const auto call = search ? ::posix_spawnp : ::posix_spawn;
+    const int problem = call(&pid, program.c_str(), &actions_, &attributes_, argv.data(), environ);
+    if (problem != 0) return fail(Code::Internal, "{}: cannot be run ({})", program, std::strerror(problem));
+    return pid;
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+  posix_spawnattr_t attributes_;
+};
+
+}  // namespace
+
+Result<void> startDetached(const std::string& program, const std::vector<std::string>& arguments) {
+  SpawnOptions options;
+  PILEUS_TRY(const pid_t child, options.spawn(program, arguments, true));
+  std::thread([child] {
+    while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }).detach();
+  return {};
+}
 
 Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable,
                                          const std::vector<std::string>& arguments) {
@@ -24,37 +85,15 @@ Result<ChildProcess> ChildProcess::start(const std::filesystem::path& executable
     ::close(pipes[0][1]);
     return fail(Code::Internal, "no pipe: {}", std::strerror(errno));
   }
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, pipes[0][1], 1);
-  ::posix_spawn_file_actions_adddup2(&actions, pipes[1][1], 2);
-  ::posix_spawn_file_actions_addclosefrom_np(&actions, 3);
-  ::posix_spawnattr_init(&attributes);
-  sigset_t none, defaults;
-  sigemptyset(&none);
-  sigemptyset(&defaults);
-  for (int s : {SIGPIPE, SIGINT, SIGTERM}) sigaddset(&defaults, s);
-  ::posix_spawnattr_setsigmask(&attributes, &none);
-  ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-  ::posix_spawnattr_setpgroup(&attributes, 0);
-  ::posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  const std::string program = executable.string();
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
-  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
-  argv.push_back(nullptr);
-  pid_t pid = -1;
-  const int problem = ::posix_spawn(&pid, program.c_str(), &actions, &attributes, argv.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  ::posix_spawnattr_destroy(&attributes);
+  SpawnOptions options;
+  options.streams(pipes[0][1], pipes[1][1]);
+  const Result<pid_t> pid = options.spawn(executable.string(), arguments, false);
   for (auto& p : pipes) ::close(p[1]);
   ChildProcess child;
   child.streams_[0] = pipes[0][0];
   child.streams_[1] = pipes[1][0];
-  if (problem != 0) return fail(Code::Internal, "{}: cannot be run ({})", program, std::strerror(problem));
-  child.pid_ = pid;
+  if (!pid) return pid.error();
+  child.pid_ = *pid;
   return child;
 }
 

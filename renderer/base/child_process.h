@@ -36,4 +36,8 @@ class ChildProcess {
   int streams_[2] = {-1, -1};
 };
 
+/// Starts a program of $PATH that goes on by itself, such as a file manager: without our file descriptors,
+/// with no signal blocked, and reaped once it ends. Error: Internal.
+Result<void> startDetached(const std::string& program, const std::vector<std::string>& arguments);
+
 }  // namespace pileus

@@ -17,9 +17,10 @@ view::RenderScene truthOf(const view::RenderScene& scene, double stepScale) {
   return out;
 }
 
-ComparePass::ComparePass(const view::RenderScene& scene, TruthKind kind)
+ComparePass::ComparePass(const view::RenderScene& scene, TruthKind kind, CompareOrder order)
     : scene_(scene),
       kind_(kind),
+      order_(order),
       mapped_(scene),
       truth_(truthPicture(scene, kind)),
       error_(scene, truthOf(scene)) {}
@@ -38,6 +39,7 @@ Result<double> ComparePass::step(const shadow::Gpu& gpu, double ms) {
       // each of them together; who is still uploading, or takes several dispatches for a region, is waited
       // for.
       const auto behind = [&] {
+        if (order_ == CompareOrder::TruthFirst && !truthWhole()) return false;
         return (mapped() ? mapped()->fraction : 0) <= (truth() ? truth()->fraction : 0);
       };
       if (behind()) {

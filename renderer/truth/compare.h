@@ -30,9 +30,16 @@ struct CompareFigures {
 /// The scene with every shadow replaced by a march through its volumes, steps of `stepScale` voxels.
 view::RenderScene truthOf(const view::RenderScene& scene, double stepScale = 0.5);
 
+/// Which of its pictures a comparison begins with.
+enum class CompareOrder {
+  Together,   ///< the figures are of the same samples all the time
+  TruthFirst  ///< a whole truth is there before anything else, also before maps that the picture would need
+};
+
 class ComparePass {
  public:
-  explicit ComparePass(const view::RenderScene& scene, TruthKind kind = TruthKind::Marched);
+  explicit ComparePass(const view::RenderScene& scene, TruthKind kind = TruthKind::Marched,
+                       CompareOrder order = CompareOrder::Together);
   /// Works for about `ms` milliseconds (at least one region); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   double fraction() const { return fraction_; }
@@ -40,7 +47,8 @@ class ComparePass {
   std::shared_ptr<const view::Picture> mapped() const { return mapped_.picture(); }
   std::shared_ptr<const view::Picture> truth() const { return truth_.picture(); }
   /// Whole passes over the picture: then nothing of it is missing.
-  bool pictureWhole() const { return truth() && truth()->samples > 0 && mapped() && mapped()->samples > 0; }
+  bool truthWhole() const { return truth() && truth()->samples > 0; }
+  bool pictureWhole() const { return truthWhole() && mapped() && mapped()->samples > 0; }
   bool shadowWhole() const { return error_.fraction() >= 1; }
   const ShadowErrorPass& shadowError() const { return error_; }
   const CompareFigures& figures() const { return figures_; }
@@ -53,6 +61,7 @@ class ComparePass {
   Result<void> measureRadiance();
   view::RenderScene scene_;
   TruthKind kind_;
+  CompareOrder order_;
   AnyPass mapped_, truth_;
   ShadowErrorPass error_;
   CompareFigures figures_;

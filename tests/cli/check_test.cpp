@@ -63,6 +63,23 @@ TEST_F(Check, EveryFaultOfEveryFileIsPrinted) {
     EXPECT_NE(run.err.find(line), std::string::npos) << line << "\nin\n" << run.err;
 }
 
+TEST_F(Check, EveryFileOfAKeyedParameterIsLookedFor) {
+  write("a.vdb", "not looked into");
+  const std::string file = write(
+      "keyed.json",
+      graph(
+          kScene +
+              R"(, "V": {"type": "volume.vdb_file", "params": {"file": {"keys": [[1, "a.vdb"], [7, "b.vdb"]]}}})",
+          kLinks));
+  const auto run = test::pileus({"check", file});
+  EXPECT_EQ(run.exitCode, 3) << run.err;
+  EXPECT_NE(run.err.find("error: V.file: " + (folder_ / "b.vdb").string() +
+                         ": there is no such file (key of frame 7)"),
+            std::string::npos)
+      << run.err;
+  EXPECT_EQ(run.err.find("a.vdb: "), std::string::npos) << run.err;
+}
+
 TEST_F(Check, WhatARenderNeedsIsAnErrorAndTheRestAWarning) {
   const std::string loose = R"(, "Loose": {"type": "volume.transform"}, "V": {"type": "volume.vdb_file"})";
   const auto dangling = test::pileus({"check", write("a.json", graph(kScene + loose, kLinks))});

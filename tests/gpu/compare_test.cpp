@@ -229,5 +229,25 @@ TEST(Compare, APictureOfPathsIsComparedAsOne) {
   EXPECT_LT(once, 0.9 * mean) << "a march holds one order alone";
 }
 
+TEST(Compare, ATruthThatGoesFirstEndsWithTheSameFigures) {
+  ShadowSpec spec;
+  spec.kind = ShadowSpec::Kind::FourierOpacity;
+  spec.resolution = 64;
+  const view::RenderScene scene = sceneOf(spec, {48, 32}, 1);
+  truth::ComparePass first(scene, truth::TruthKind::Marched, truth::CompareOrder::TruthFirst),
+      together(scene);
+  for (int i = 0; i < 10000 && !first.truthWhole(); ++i) {
+    ASSERT_FALSE(first.mapped());
+    ASSERT_TRUE(first.step(test::renderer().gpu(), 0));
+  }
+  ASSERT_TRUE(first.truthWhole());
+  finish(first);
+  finish(together);
+  EXPECT_TRUE(first.pictureWhole() && first.shadowWhole());
+  EXPECT_EQ(first.figures().relMse, together.figures().relMse);
+  EXPECT_EQ(first.figures().radiance.mean, together.figures().radiance.mean);
+  EXPECT_EQ(first.figures().shadow.mean, together.figures().shadow.mean);
+}
+
 }  // namespace
 }  // namespace pileus

@@ -181,13 +181,14 @@ TEST(Documents, MissingFilesAreListedAndFoundTogether) {
     "Smoke": { "type": "volume.vdb_file", "at": [0, 0], "params": { "file": "/nowhere/old/smoke.vdb" } },
     "Rig": { "type": "group", "at": [0, 150], "graph": { "nodes": {
       "Fire": { "type": "volume.vdb_file", "at": [0, 0], "params": { "file": "fire_####.vdb" } } } } },
-    "Gone": { "type": "volume.vdb_file", "at": [0, 300], "params": { "file": "gone.vdb" } } } })";
+    "Gone": { "type": "volume.vdb_file", "at": [0, 300], "params": {
+      "file": { "keys": [[1, "gone.vdb"], [9, "old/smoke.vdb"]] } } } } })";
   fs::create_directories(folder / "moved" / "deep");
   for (const char* name : {"moved/smoke.vdb", "moved/deep/smoke.vdb", "moved/deep/fire_0012.vdb"})
     std::ofstream(folder / name) << "not looked into";
   UiSession ui({1280, 800}, {file.string()});
   ASSERT_TRUE(ui.running()) << ui.log();
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["message"] == "3 files are missing"; }))
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["message"] == "4 files are missing"; }))
       << ui.trace()["message"];
   ui.click("menubar/File");
   ui.click("menu/file.missing");
@@ -207,7 +208,8 @@ TEST(Documents, MissingFilesAreListedAndFoundTogether) {
   EXPECT_EQ(t["undo"], "Find missing files");
   // What is left is listed again.
   ASSERT_TRUE(ui.waitRect("dialog/relink"));
-  EXPECT_TRUE(ui.trace()["notes"].contains("missing Gone.file"));
+  EXPECT_TRUE(ui.trace()["notes"].contains("missing Gone.file, frame 1"));
+  EXPECT_FALSE(ui.trace()["notes"].contains("missing Gone.file, frame 9")) << "files of keys, too";
   EXPECT_FALSE(ui.trace()["notes"].contains("missing Smoke.file"));
   ui.click("dialog/close");
   ui.move(ui.emptySpot());

@@ -1,4 +1,6 @@
 // Fields are left in every way there is, and what was typed is never lost without a word.
+#include <algorithm>
+
 #include "tests/ui/ui_session.h"
 
 namespace pileus::test {
@@ -12,6 +14,7 @@ constexpr char kGraph[] = R"({ "pileus": 1,
     "Box": { "type": "volume.box", "at": [0, 0], "params": { "density": 4 } },
     "Sun": { "type": "light.sun", "at": [0, 150] },
     "File": { "type": "volume.vdb_file", "at": [0, 330] },
+    "Plane": { "type": "solid.plane", "at": [300, 330] },
     "Render": { "type": "render.volume", "at": [300, 0], "params": { "samples": 1 } },
     "View": { "type": "output.view", "at": [560, 0] } },
   "links": [ "Box.volume -> Render.volumes", "Sun.light -> Render.lights", "Render.image -> View.image" ] })";
@@ -68,7 +71,11 @@ const std::vector<Way>& ways() {
        }},
       {"a splitter", [](const UiSession& ui) { ui.click("splitter/parameters"); }},
       {"a switch of the panel",
-       [](const UiSession& ui) { ui.click("panel/modified"), ui.click("panel/modified"); }},
+       [](const UiSession& ui) {
+         const char* rect =
+             ui.shows("panel/modified") ? "panel/modified" : "viewport";  // documents have none
+         ui.click(rect), ui.click(rect);
+       }},
       {"saving", [](const UiSession& ui) { ui.key("ctrl+s"); }},
   };
   return all;
@@ -144,6 +151,139 @@ TEST(Fields, NamesTextsAndSettingsAreTakenAsWell) {
   EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["settings"]["fps"] == 30; }));
   expectKeysAct(ui);
 }
+
+/// A kind of field: how one gets to it and types `value`, and where the document has that then.
+struct Kind {
+  const char* name;
+  std::function<void(const UiSession&, int value)> type;
+  std::function<bool(const json& trace, int value)> taken;
+  bool tabs = true;  ///< false: Tab completes what is typed, or does nothing
+};
+
+json paramOf(const json& trace, const char* node, const char* id) {
+  const json& n = trace["document"]["nodes"][node];
+  return n.contains("params") && n["params"].contains(id) ? n["params"][id] : json();
+}
+
+Kind numberOf(const char* name, const char* node, const char* id, int component = -1) {
+  const std::string rect =
+      std::string("param/") + id + (component < 0 ? "" : "/" + std::to_string(component));
+  return {name,
+          [=](const UiSession& ui, int value) {
+            select(ui, node, rect);
+            begin(ui, rect, std::to_string(value));
+          },
+          [=](const json& t, int value) {
+            const json v = paramOf(t, node, id);
+            return component < 0 ? v == value : v.is_array() && v[std::size_t(component)] == value;
+          }};
+}
+
+/// A click into the row's first line, below which a fault may stand, then a text in place of all.
+void retype(const UiSession& ui, const std::string& rect, const std::string& text) {
+  const json r = ui.trace()["rects"][rect];
+  ui.click(Point{r[0].get<double>() + 25, r[1].get<double>() + 12});
+  ui.key("ctrl+a");
+  ui.type(text);
+}
+
+std::vector<Kind> kinds() {
+  return {
+      numberOf("a number", "Sun", "irradiance"),
+      numberOf("a whole number", "Render", "samples"),
+      numberOf("a component", "Box", "size", 1),
+      numberOf("an angle", "Sun", "azimuth"),
+      {"a file",
+       [](const UiSession& ui, int value) {
+         select(ui, "File", "browse/file");
+         retype(ui, "param/file", std::to_string(value) + ".vdb");
+       },
+       [](const json& t, int value) { return paramOf(t, "File", "file") == std::to_string(value) + ".vdb"; },
+       false},
+      {"the node's name",
+       [](const UiSession& ui, int value) {
+         std::string name;
+         const json trace = ui.trace();
+         for (const auto& [n, node] : trace["document"]["nodes"].items())
+           if (node["type"] == "solid.plane") name = n;
+         select(ui, name, "node name");
+         ui.click("node name");
+         ui.key("ctrl+a");
+         ui.type("P" + std::to_string(value));
+       },
+       [](const json& t, int value) { return t["document"]["nodes"].contains("P" + std::to_string(value)); },
+       false},
+      {"a setting",
+       [](const UiSession& ui, int value) {
+         ui.click(ui.emptySpot());
+         ASSERT_TRUE(ui.waitRect("setting/fps"));
+         begin(ui, "setting/fps", std::to_string(value));
+       },
+       [](const json& t, int value) { return t["document"]["settings"]["fps"] == value; }},
+      {"the speed in the timeline",
+       [](const UiSession& ui, int value) { begin(ui, "timeline/fps", std::to_string(value)); },
+       [](const json& t, int value) { return t["document"]["settings"]["fps"] == value; }}};
+}
+
+/// The question about unsaved work that a way ends in is taken back.
+void cancelQuestion(const UiSession& ui) {
+  ASSERT_TRUE(ui.waitRect("dialog/cancel", 8));
+  ui.click("dialog/cancel");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return !t["rects"].contains("dialog/cancel"); }, 8));
+}
+
+std::vector<Way> everyWay() {
+  std::vector<Way> all = {
+      {"another node", [](const UiSession& ui) { ui.click("header/View"); }},
+      {"a link",
+       [](const UiSession& ui) {
+         const Point a = ui.center("socket/Render/out/image"), b = ui.center("socket/View/in/image");
+         ui.click(Point{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+       }},
+      {"the tab key", [](const UiSession& ui) { ui.key("Tab"), ui.key("Escape"); }},
+      {"another document", [](const UiSession& ui) { ui.key("ctrl+o"), cancelQuestion(ui); }},
+      {"a frame change", [](const UiSession& ui) { ui.click("timeline/ruler"); }},
+      {"closing", [](const UiSession& ui) { ui.close(), cancelQuestion(ui); }}};
+  for (const Way& way : ways())
+    if (way.name != std::string("another node")) all.push_back(way);
+  return all;
+}
+
+class EveryField : public testing::TestWithParam<Kind> {};
+
+TEST_P(EveryField, IsTakenHoweverItIsLeft) {
+  const Kind& kind = GetParam();
+  UiSession ui({1380, 980}, {graphFile().string()}, {{"showTimeline", true}});
+  ASSERT_TRUE(ui.running()) << ui.log();
+  int value = 40;  // no default is among what follows: those are not in the document
+  for (const Way& way : everyWay()) {
+    if (!kind.tabs && way.name == std::string("the tab key")) continue;
+    SCOPED_TRACE(way.name);
+    kind.type(ui, ++value);
+    way.leave(ui);
+    EXPECT_TRUE(ui.waitFor([&](const json& t) { return kind.taken(t, value); }, 5));
+    EXPECT_TRUE(ui.waitFor([](const json& t) { return t["typing"] == false; }, 5));
+    if (testing::Test::HasFailure()) return;
+  }
+  expectKeysAct(ui);
+
+  // Undo takes what was typed before it takes that back.
+  const json before = ui.trace()["document"];
+  kind.type(ui, ++value);
+  ui.click("menubar/Edit");
+  ui.click("menu/edit.undo");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return t["typing"] == false && t["document"] == before; }, 5));
+  ui.click("menubar/Edit");
+  ui.click("menu/edit.redo");
+  EXPECT_TRUE(ui.waitFor([&](const json& t) { return kind.taken(t, value); }, 5));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryField, testing::ValuesIn(kinds()), [](const auto& which) {
+  std::string name = which.param.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '\''; }, '_');
+  return name;
+});
 
 TEST(Fields, ClosingTakesTheNumberAndAsks) {
   UiSession ui({1380, 860}, {graphFile().string()});

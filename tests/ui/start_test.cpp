@@ -252,6 +252,22 @@ TEST(Start, WorkSurvivesAKillAndATermination) {
     EXPECT_EQ(recoveryFiles(ui), 2u) << "as it was opened and as it was left";
   }
   {
+    // A file that is asked for is what one sees: its picture, and a notice of the work.
+    UiSession ui({1440, 900}, {graphFile("other.json").string()}, {{"showStart", true}}, home);
+    ASSERT_TRUE(ui.running()) << ui.log();
+    ASSERT_TRUE(ui.waitRect("toast/1/button"));
+    EXPECT_TRUE(ui.trace()["message"].get<std::string>().starts_with("Unsaved work of scene.json"))
+        << ui.trace()["message"];
+    EXPECT_FALSE(ui.shows("start")) << "nothing covers the file";
+    ui.screenshot("recovery-notice");
+    ui.click("toast/1/button");
+    ASSERT_TRUE(ui.waitRect("start/lost/0/open"));
+    ui.key("Escape");
+    ui.key("ctrl+q");
+    EXPECT_EQ(ui.waitExit(), 0) << ui.log();
+    EXPECT_EQ(recoveryFiles(ui), 2u) << "it stays until it is opened or discarded";
+  }
+  {
     UiSession ui({1440, 900}, {}, json::object(), home);
     ASSERT_TRUE(ui.running()) << ui.log();
     ASSERT_TRUE(ui.waitRect("start/lost/0/discard"));

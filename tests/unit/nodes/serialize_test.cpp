@@ -8,6 +8,7 @@
 
 #include "nodes/file/migrations.h"
 #include "nodes/file/serialize.h"
+#include "nodes/graph/graph_animation.h"
 #include "renderer/base/file.h"
 #include "tests/support/support.h"
 
@@ -301,6 +302,18 @@ TEST(Clipboard, FilesAreFoundFromAnotherFolder) {
   EXPECT_EQ(fileOf(pasteText({}, text, {0, 0}).value()), "/shows/a/vdb/smoke.vdb");
   EXPECT_EQ(fileOf(pasteText({}, copyText(withFile("smoke.vdb"), {"Smoke"}), {0, 0}).value()), "smoke.vdb")
       << "a document that lies nowhere";
+}
+
+TEST(Clipboard, FilesOfKeysAreFoundAsWell) {
+  Graph graph = withFile("a.vdb");
+  graph = setKey(graph, "Smoke", "file", 1, std::string("vdb/a.vdb")).value();
+  graph = setKey(graph, "Smoke", "file", 2, std::string("/caches/b.vdb")).value();
+  const Graph moved = withRelativePaths(graph, "/shows/a", "/shows/b");
+  const auto values = heldValues(*findNode(moved, "Smoke"), "file");
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(values[0].value), "../a/vdb/a.vdb");
+  EXPECT_EQ(std::get<std::string>(values[1].value), "/caches/b.vdb") << "nothing in common";
+  EXPECT_EQ(values[1].frame, 2);
 }
 
 TEST(Files, AMergedGraphFindsItsFiles) {

@@ -5,10 +5,12 @@
 #include "editor/app/trace_report.h"
 #include "editor/commands/actions.h"
 #include "editor/commands/command_palette.h"
+#include "editor/commands/library/presets.h"
 #include "editor/commands/menu.h"
 #include "editor/commands/shortcut_sheet.h"
 #include "editor/document/drops.h"
 #include "editor/document/graph_pictures.h"
+#include "editor/document/preset_shelf.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/graph_room.h"
@@ -21,6 +23,7 @@
 #include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
 #include "editor/preferences/settings_file.h"
+#include "editor/start/start_room.h"
 #include "editor/start/start_view.h"
 #include "editor/start/tour.h"
 #include "editor/status/log_panel.h"
@@ -67,6 +70,7 @@ struct Editor::Parts {
   Exporter exporter;
   Drops drops;
   GraphPictures pictures;
+  PresetShelf presets;
 
   Canvas canvas;
   Viewport viewport;
@@ -80,13 +84,15 @@ struct Editor::Parts {
   MenuBar menuBar;
   CommandPalette commands;
   ShortcutSheet sheet;
+  PresetDialog presetDialog;
 
-  GraphRoom graphRoom{ui, session, clock, shown, settings, canvas};
+  GraphRoom graphRoom{ui, session, clock, shown, settings, canvas, presets};
   ViewportRoom viewportRoom{ui, session, clock, shown, settings, viewport};
   ParameterRoom parameterRoom{ui, session, clock, shown, settings, parameters};
   TimelineRoom timelineRoom{ui, session, clock, shown, settings, timeline};
   LabRoom labRoom{ui, session, clock, shown, settings, lab};
   StatusRoom statusRoom{ui, session, clock, shown, exporter, logPanel};
+  StartRoom startRoom{ui, settings, pictures, presets, start};
 };
 
 Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme,
@@ -111,6 +117,7 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
       exporter(parts_->exporter),
       drops(parts_->drops),
       pictures(parts_->pictures),
+      presets(parts_->presets),
       canvas(parts_->canvas),
       viewport(parts_->viewport),
       parameters(parts_->parameters),
@@ -123,12 +130,14 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
       menuBar(parts_->menuBar),
       commands(parts_->commands),
       sheet(parts_->sheet),
+      presetDialog(parts_->presetDialog),
       graphRoom(parts_->graphRoom),
       viewportRoom(parts_->viewportRoom),
       parameterRoom(parts_->parameterRoom),
       timelineRoom(parts_->timelineRoom),
       labRoom(parts_->labRoom),
-      statusRoom(parts_->statusRoom) {}
+      statusRoom(parts_->statusRoom),
+      startRoom(parts_->startRoom) {}
 
 Editor::~Editor() = default;
 

@@ -13,6 +13,7 @@ class Drops;
 class Exporter;
 class GraphPictures;
 class Messages;
+class PresetShelf;
 class Requests;
 class SettingsFile;
 class TraceReport;
@@ -31,11 +32,13 @@ struct MenuBar;
 struct Modals;
 struct ParameterRoom;
 struct Parameters;
+struct PresetDialog;
 struct RayScope;
 struct Session;
 struct Settings;
 struct ShortcutSheet;
 struct Shown;
+struct StartRoom;
 struct StartView;
 struct StatusRoom;
 struct Theme;
@@ -79,6 +82,7 @@ struct Editor {
   Exporter& exporter;
   Drops& drops;
   GraphPictures& pictures;
+  PresetShelf& presets;
 
   // What the rooms remember of how they are looked at.
   Canvas& canvas;
@@ -93,6 +97,7 @@ struct Editor {
   MenuBar& menuBar;
   CommandPalette& commands;
   ShortcutSheet& sheet;
+  PresetDialog& presetDialog;
 
   // The parts by room, for functions that need more than four.
   const GraphRoom& graphRoom;
@@ -101,6 +106,7 @@ struct Editor {
   const TimelineRoom& timelineRoom;
   const LabRoom& labRoom;
   const StatusRoom& statusRoom;
+  const StartRoom& startRoom;
 
   bool quit = false, quitAfterExport = false;
 };

@@ -16,6 +16,7 @@ constexpr Shortcut ctrlShift(int key) { return {key, true, true, false}; }
 constexpr Shortcut plain(int key) { return {key, false, false, false}; }
 
 std::span<const Action> fileActions();
+std::span<const Action> presetActions();
 std::span<const Action> editActions();
 std::span<const Action> graphActions();
 std::span<const Action> lookActions();

@@ -9,8 +9,9 @@
 
 #include "editor/document/crash_log.h"
 #include "editor/document/graph_pictures.h"
-#include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
+#include "editor/start/preset_gallery.h"
+#include "editor/start/start_room.h"
 #include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
@@ -23,9 +24,6 @@ namespace {
 
 constexpr float kLeft = 292, kWidth = 1060, kHeight = 680;  // design pixels
 
-/// What was chosen; it runs after the view is closed.
-using Choice = std::optional<Request>;
-
 std::string ago(std::int64_t time) {
   const auto now =
       std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -35,45 +33,6 @@ std::string ago(std::int64_t time) {
   if (seconds < 5400) return fmt::format("{} minutes ago", (seconds + 30) / 60);
   if (seconds < 129600) return fmt::format("{} hours ago", (seconds + 1800) / 3600);
   return fmt::format("{} days ago", (seconds + 43200) / 86400);
-}
-
-/// The desktop's file manager, where there is one; the path is said in any case.
-void showInFolder(Ui& ui, const fs::path& path) {
-  const std::string folder = path.parent_path().string();
-  std::string program = "xdg-open", argument = folder;
-  char* const arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  (void)::posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
-  ui.messages.info("In " + folder);
-}
-
-void heading(const Theme& theme, const char* text) {
-  ImGui::PushFont(theme.strong);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-  ImGui::Dummy({0, theme.px(2)});
-}
-
-/// A picture with rounded corners, cut to fill its place; a cloud where there is none.
-void drawPicture(const Theme& theme, const GraphPictures::Shown& shown, ImVec2 lo, ImVec2 hi, bool grey) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float r = theme.px(4);
-  draw->AddRectFilled(lo, hi, palette::kPictureEmpty, r);
-  if (shown.texture == 0 || grey) {
-    ImFont* font = theme.body;
-    const float width = textWidth(font, icon::kPicture);
-    drawText(draw, font, {0.5f * (lo.x + hi.x - width), 0.5f * (lo.y + hi.y - font->FontSize)},
-             palette::kTextFaint, icon::kPicture, 100);
-    return;
-  }
-  const float place = (hi.x - lo.x) / (hi.y - lo.y), own = float(shown.size.x) / float(shown.size.y);
-  ImVec2 a(0, 0), b(1, 1);
-  if (own > place)
-    a.x = 0.5f - 0.5f * place / own, b.x = 1 - a.x;
-  else
-    a.y = 0.5f - 0.5f * own / place, b.y = 1 - a.y;
-  draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(shown.texture)), lo, hi, a,
-                        b, IM_COL32_WHITE, r);
 }
 
 bool wideButton(Ui& ui, const char* icon, const char* label, const char* trace, bool primary = false) {
@@ -152,45 +111,6 @@ void drawLeft(Ui& ui, Settings& settings, GraphPictures& pictures, const StartVi
   ui.trace.item("start/show");
 }
 
-void drawPreset(Ui& ui, GraphPictures& pictures, const PresetText& preset, float width, Choice& choice) {
-  const Theme& theme = ui.theme;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float picture = std::round(width * 9 / 16), pad = theme.px(4), height = picture + theme.px(50);
-  ImGui::PushID(preset.file);
-  if (ImGui::InvisibleButton("preset", {width, height})) choice = OpenPreset{preset.file};
-  const bool hovered = ImGui::IsItemHovered();
-  ui.trace.item(fmt::format("start/preset/{}", preset.file));
-  ImGui::PopID();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  drawPicture(theme, pictures.preset(preset.file), at, {at.x + width, at.y + picture}, false);
-  if (hovered)
-    draw->AddRect({at.x - pad / 2, at.y - pad / 2}, {at.x + width + pad / 2, at.y + picture + pad / 2},
-                  palette::kAccent, theme.px(5), 0, theme.px(2));
-  drawText(draw, theme.body, {at.x, at.y + picture + theme.px(6)}, palette::kText, preset.name, width);
-  drawText(draw, theme.small, {at.x, at.y + picture + theme.px(25)}, palette::kTextDim, preset.about, width);
-}
-
-void drawGallery(Ui& ui, GraphPictures& pictures, Choice& choice) {
-  const Theme& theme = ui.theme;
-  heading(theme, "Begin with a scene");
-  ImGui::BeginChild("gallery");
-  const float room = ImGui::GetContentRegionAvail().x - theme.space(4), gap = theme.space(4);
-  const int columns = std::clamp(static_cast<int>(room / theme.px(210)), 1, 4);
-  const float width =
-      std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, theme.space(2)});
-  ImGui::Dummy({0, theme.px(1)});
-  ImGui::Indent(theme.px(2));
-  int i = 0;
-  for (const PresetText& preset : galleryTexts()) {
-    if (i++ % columns != 0) ImGui::SameLine();
-    drawPreset(ui, pictures, preset, width, choice);
-  }
-  ImGui::Unindent(theme.px(2));
-  ImGui::PopStyleVar();
-  ImGui::EndChild();
-}
-
 /// Unsaved work and crash reports, above everything else.
 void drawNotices(Ui& ui, StartView& start, Choice& choice) {
   const Theme& theme = ui.theme;
@@ -262,16 +182,25 @@ void takeFindings(Ui& ui, StartView& start) {
 
 }  // namespace
 
+void showInFolder(Ui& ui, const fs::path& path) {
+  const std::string folder = path.parent_path().string();
+  std::string program = "xdg-open", argument = folder;
+  char* const arguments[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  (void)::posix_spawnp(&child, "xdg-open", nullptr, nullptr, arguments, environ);
+  ui.messages.info("In " + folder);
+}
+
 const std::vector<PresetText>& galleryTexts() {
   static const std::vector<PresetText> texts = {
-      {"default.json", "Broken cumulus", "A low sun, haze, shadows across gaps"},
-      {"cumulus.json", "One cumulus", "Seen close, warm key and cool fill"},
-      {"light-shafts.json", "Light shafts", "A spot light through a cloud"},
-      {"smoke-column.json", "Smoke column", "Five clouds, one plume, evening"},
-      {"two-lights.json", "Two lights", "Magenta and teal, a map for each"},
-      {"shadows-across-gaps.json", "Across gaps", "Four shapes in each other's shadow"},
-      {"compare-representations.json", "Four shadows", "One scene, four representations"},
-      {"paper-fourier.json", "As in the paper", "Fourier coefficients, 4 and 8"},
+      {"default.json", "Broken cumulus", "A low sun, haze, shadows across gaps", "cloud, evening"},
+      {"cumulus.json", "One cumulus", "Seen close, warm key and cool fill", "cloud, key and fill"},
+      {"light-shafts.json", "Light shafts", "A spot light through a cloud", "shafts, spot"},
+      {"smoke-column.json", "Smoke column", "Five clouds, one plume, evening", "smoke, evening"},
+      {"two-lights.json", "Two lights", "Magenta and teal, a map for each", "spot, colour"},
+      {"shadows-across-gaps.json", "Across gaps", "Four shapes in each other's shadow", "measure"},
+      {"compare-representations.json", "Four shadows", "One scene, four representations", "measure"},
+      {"paper-fourier.json", "As in the paper", "Fourier coefficients, 4 and 8", "measure"},
   };
   return texts;
 }
@@ -284,7 +213,9 @@ void beginStart(const Settings& settings, StartView& start, bool show) {
 
 void openStart(StartView& start) { start.open = start.appearing = true; }
 
-void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& start) {
+void drawStart(const StartRoom& room) {
+  Ui& ui = room.ui;
+  StartView& start = room.start;
   takeFindings(ui, start);
   if (!start.open || ui.modals.anyOpen() || ui.modals.browser.isOpen()) return;
   const Theme& theme = ui.theme;
@@ -306,11 +237,11 @@ void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& s
   Choice choice;
   drawNotices(ui, start, choice);
   ImGui::BeginChild("left", {theme.px(kLeft), 0});
-  drawLeft(ui, settings, pictures, start, choice);
+  drawLeft(ui, room.settings, room.pictures, start, choice);
   ImGui::EndChild();
   ImGui::SameLine(0, theme.space(8));
   ImGui::BeginChild("right", {0, 0});
-  drawGallery(ui, pictures, choice);
+  drawGallery(room, choice);
   ImGui::EndChild();
   const ImVec2 lo = ImGui::GetWindowPos(), hi = {lo.x + size.x, lo.y + size.y};
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsMouseHoveringRect(lo, hi, false);

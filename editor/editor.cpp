@@ -17,6 +17,8 @@
 #include "editor/lab/lab.h"
 #include "editor/lab/lab_room.h"
 #include "editor/lab/ray_scope.h"
+#include "editor/lights/lights_panel.h"
+#include "editor/lights/lights_room.h"
 #include "editor/parameters/parameter_room.h"
 #include "editor/parameters/parameters.h"
 #include "editor/picture/exporter.h"
@@ -78,6 +80,7 @@ struct Editor::Parts {
   Timeline timeline;
   RayScope scope;
   Lab lab;
+  LightsPanel lights;
   LogPanel logPanel;
   StartView start;
   Tour tour;
@@ -88,9 +91,10 @@ struct Editor::Parts {
 
   GraphRoom graphRoom{ui, session, clock, shown, settings, canvas, presets};
   ViewportRoom viewportRoom{ui, session, clock, shown, settings, viewport};
-  ParameterRoom parameterRoom{ui, session, clock, shown, settings, parameters};
+  ParameterRoom parameterRoom{ui, session, clock, shown, settings, parameters, pictures};
   TimelineRoom timelineRoom{ui, session, clock, shown, settings, timeline};
   LabRoom labRoom{ui, session, clock, shown, settings, lab};
+  LightsRoom lightsRoom{ui, session, clock, shown, settings, lights};
   StatusRoom statusRoom{ui, session, clock, shown, exporter, logPanel};
   StartRoom startRoom{ui, settings, pictures, presets, start};
 };
@@ -124,6 +128,7 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
       timeline(parts_->timeline),
       scope(parts_->scope),
       lab(parts_->lab),
+      lights(parts_->lights),
       logPanel(parts_->logPanel),
       start(parts_->start),
       tour(parts_->tour),
@@ -136,6 +141,7 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
       parameterRoom(parts_->parameterRoom),
       timelineRoom(parts_->timelineRoom),
       labRoom(parts_->labRoom),
+      lightsRoom(parts_->lightsRoom),
       statusRoom(parts_->statusRoom),
       startRoom(parts_->startRoom) {}
 
@@ -159,6 +165,8 @@ void documentReplaced(Editor& editor) {
   shown.displayed.colorsOf = "\n";
   shown.snapshots = {};
   shown.ray = {};
+  shown.mixer = {};
+  shown.lights = {};
   shown.preview.newDocument();
   editor.viewport.tools = {};
   editor.canvas = Canvas{};
@@ -167,6 +175,7 @@ void documentReplaced(Editor& editor) {
   editor.fields = Fields{};
   editor.scope = RayScope{};
   editor.lab = Lab{};
+  editor.lights = LightsPanel{};
 }
 
 }  // namespace pileus::editor

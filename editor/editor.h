@@ -27,6 +27,8 @@ struct FrameState;
 struct GraphRoom;
 struct Lab;
 struct LabRoom;
+struct LightsPanel;
+struct LightsRoom;
 struct LogPanel;
 struct MenuBar;
 struct Modals;
@@ -91,6 +93,7 @@ struct Editor {
   Timeline& timeline;
   RayScope& scope;
   Lab& lab;
+  LightsPanel& lights;
   LogPanel& logPanel;
   StartView& start;
   Tour& tour;
@@ -105,6 +108,7 @@ struct Editor {
   const ParameterRoom& parameterRoom;
   const TimelineRoom& timelineRoom;
   const LabRoom& labRoom;
+  const LightsRoom& lightsRoom;
   const StatusRoom& statusRoom;
   const StartRoom& startRoom;
 

@@ -27,6 +27,7 @@
 #include "editor/lab/lab.h"
 #include "editor/parameters/parameters.h"
 #include "editor/picture/exporter.h"
+#include "editor/picture/light_mixer.h"
 #include "editor/picture/light_view.h"
 #include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
@@ -91,6 +92,7 @@ PreviewRequest previewRequest(const Editor& editor) {
   request.layer = editor.shown.mode.layer;
   request.region = wantedRegion(editor.shown);
   request.draftMs = editor.settings.draftMs;
+  applyLights(editor.shown, request);
   return request;
 }
 
@@ -108,6 +110,7 @@ void evaluate(Editor& editor) {
     if (editor.shown.preview.complete() || !editor.shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;
     editor.window.waitEvents(0);
   }
+  stepMixer(editor.session, editor.shown);
   if (editor.window.inputPending()) return;
   if (const double left = kSliceMs - clock.ms(); left > 0)
     labWantsFrame(editor.shown, editor.lab) ? stepLab(editor.ui, editor.shown, editor.lab, left)

@@ -84,8 +84,8 @@ std::span<const Action> allActions() {
     std::vector<Action> joined;
     for (const auto part :
          {fileActions(), presetActions(), editActions(), graphActions(), lookActions(), numberedActions(),
-          viewportActions(), cameraActions(), displayActions(), parameterActions(), timelineActions(),
-          windowActions(), viewActions(), helpActions()})
+          viewportActions(), cameraActions(), displayActions(), parameterActions(), lightActions(),
+          timelineActions(), windowActions(), viewActions(), helpActions()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

@@ -25,6 +25,7 @@ std::span<const Action> viewportActions();
 std::span<const Action> cameraActions();
 std::span<const Action> displayActions();
 std::span<const Action> parameterActions();
+std::span<const Action> lightActions();
 std::span<const Action> timelineActions();
 std::span<const Action> windowActions();
 std::span<const Action> viewActions();

@@ -120,7 +120,7 @@ void drawPresetDialog(Editor& editor) {
     ImGui::PushTextWrapPos();
     ImGui::PushStyleColor(ImGuiCol_Text, d.error.empty() ? palette::kWarning : palette::kError);
     ImGui::TextUnformatted(
-        (d.error.empty() ? warning : d.error + " Nothing is lost: what was there is as it was.").c_str());
+        (d.error.empty() ? warning : d.error + ". Nothing is lost: what was there is as it was.").c_str());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     editor.trace.note("preset dialog", d.error.empty() ? warning : d.error);

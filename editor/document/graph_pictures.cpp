@@ -76,7 +76,7 @@ GraphPictures::Shown GraphPictures::preset(std::string_view name) {
 GraphPictures::Shown GraphPictures::file(const fs::path& graph) {
   const std::string key = graph.string();
   if (const auto it = files_.find(key); it != files_.end()) return {it->second.texture.id(), it->second.size};
-  if (loaded_) return {};
+  if (loaded_ || (writing_ && !writing_->done())) return {};
   const Result<std::string> bytes = readFile(thumbnailPath(graph), std::size_t(8) << 20);
   return load(files_, key, bytes ? std::string_view(*bytes) : std::string_view());
 }

@@ -66,7 +66,8 @@ void PresetShelf::refresh(std::vector<fs::path> folders, bool known) {
 
 bool PresetShelf::change(Change work) {
   if (changing_) return false;
-  changing_ = std::make_unique<Job<nodes::PresetChange>>([work = std::move(work)](JobControl&) { return work(); });
+  changing_ =
+      std::make_unique<Job<nodes::PresetChange>>([work = std::move(work)](JobControl&) { return work(); });
   return true;
 }
 
@@ -106,7 +107,7 @@ void PresetShelf::undo() {
   change([last]() -> Result<nodes::PresetChange> {
     PILEUS_CHECK(nodes::undoPresetChange(last));
     nodes::PresetChange undone = last;
-    undone.label = "Undo: " + last.label;
+    undone.label = "Undone: " + last.label;
     return undone;
   });
 }

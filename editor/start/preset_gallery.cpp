@@ -69,8 +69,7 @@ void drawCardMenu(Ui& ui, const nodes::PresetEntry& e, Choice& choice) {
   using How = ChangePreset::How;
   if (!ImGui::BeginPopup("card")) return;
   const auto row = [&](const char* mark, const char* label, const char* trace, bool enabled = true) {
-    const bool chosen =
-        ImGui::MenuItem(fmt::format("{}  {}", mark, label).c_str(), nullptr, false, enabled);
+    const bool chosen = ImGui::MenuItem(fmt::format("{}  {}", mark, label).c_str(), nullptr, false, enabled);
     ui.trace.item(std::string("gallery/menu/") + trace);
     return chosen;
   };
@@ -109,10 +108,10 @@ void drawCard(const StartRoom& room, const Card& card, float width, Choice& choi
   if (card.own && hovered && ImGui::IsMouseClicked(1)) ImGui::OpenPopup("card");
   if (visible) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    drawPicture(theme,
-                card.own ? room.pictures.beside(card.own->file, card.own->stamp)
-                         : room.pictures.preset(card.shipped),
-                at, {at.x + width, at.y + picture}, broken);
+    drawPicture(
+        theme,
+        card.own ? room.pictures.beside(card.own->file, card.own->stamp) : room.pictures.preset(card.shipped),
+        at, {at.x + width, at.y + picture}, broken);
     if (hovered)
       draw->AddRect({at.x - pad / 2, at.y - pad / 2}, {at.x + width + pad / 2, at.y + picture + pad / 2},
                     palette::kAccent, theme.px(5), 0, theme.px(2));
@@ -198,7 +197,9 @@ void drawTags(const StartRoom& room, const std::vector<std::string>& tags) {
     const bool on = chosen == tag, over = ImGui::IsItemHovered();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(at, {at.x + width, at.y + height},
-                        on ? palette::kAccentDim : over ? palette::kButtonHover : palette::kButton,
+                        on     ? palette::kAccentDim
+                        : over ? palette::kButtonHover
+                               : palette::kButton,
                         0.5f * height);
     drawText(draw, theme.small, {at.x + pad, at.y + theme.px(3)},
              on ? palette::kTextStrong : palette::kTextDim, tag, width);

@@ -12,9 +12,8 @@ constexpr std::size_t kLongestName = 128, kLongestTag = 40;
 
 /// Text in one line that a file can hold.
 bool isLine(std::string_view text) {
-  const bool control = std::any_of(text.begin(), text.end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-  });
+  const bool control = std::any_of(text.begin(), text.end(),
+                                   [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   if (control) return false;
   try {
     (void)Json(text).dump();
@@ -57,9 +56,8 @@ Result<Preset> readMember(const Json& json) {
   if (const auto good = checkPresetName(out.name); !good) return wrong("name", good.error().message);
   for (const auto& [key, value] : json.items()) {
     if (key == "kind" || key == "name") continue;
-    const bool texts = value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& v) {
-      return v.is_string();
-    });
+    const bool texts = value.is_array() &&
+                       std::all_of(value.begin(), value.end(), [](const Json& v) { return v.is_string(); });
     if (key == "about" && value.is_string())
       out.about = value.get<std::string>();
     else if (key == "tags" && texts)

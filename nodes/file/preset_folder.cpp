@@ -99,8 +99,7 @@ Result<fs::path> setPairAside(const fs::path& file) {
   std::error_code ec;
   if (const fs::path picture = pictureOf(file); fs::exists(picture, ec)) {
     fs::remove(pictureOf(aside), ec);
-    if (::link(picture.c_str(), pictureOf(aside).c_str()) != 0)
-      fs::copy_file(picture, pictureOf(aside), ec);
+    if (::link(picture.c_str(), pictureOf(aside).c_str()) != 0) fs::copy_file(picture, pictureOf(aside), ec);
   }
   return aside;
 }
@@ -197,7 +196,7 @@ Result<PresetChange> savePreset(const fs::path& folder, const Preset& preset, co
     removePair(file);
     return written.error();
   }
-  return PresetChange{"Save the preset " + preset.name, file, {}, false, fileStamp(file)};
+  return PresetChange{"Saved the preset " + preset.name, file, {}, false, fileStamp(file)};
 }
 
 Result<PresetChange> replacePreset(const fs::path& file, const Preset& preset, const std::string& png,
@@ -220,7 +219,7 @@ Result<PresetChange> replacePreset(const fs::path& file, const Preset& preset, c
     removePair(before);
     return written.error();
   }
-  return PresetChange{"Replace the preset " + preset.name, file, before, false, fileStamp(file)};
+  return PresetChange{"Replaced the preset " + preset.name, file, before, false, fileStamp(file)};
 }
 
 Result<PresetChange> describePreset(const fs::path& file, const std::string& name, const std::string& about,
@@ -232,7 +231,7 @@ Result<PresetChange> describePreset(const fs::path& file, const std::string& nam
   loaded->preset.about = about;
   loaded->preset.tags = tags;
   PILEUS_TRY(PresetChange change, replacePreset(file, loaded->preset, {}));
-  change.label = old == name ? "Describe the preset " + name : "Rename the preset " + old;
+  change.label = old == name ? "Described the preset " + name : "Renamed the preset " + old;
   return change;
 }
 
@@ -246,7 +245,7 @@ Result<PresetChange> deletePreset(const fs::path& file) {
     return fail(Code::Input, "{}: cannot be deleted", file.string());
   }
   fs::remove(pictureOf(file), ec);
-  return PresetChange{"Delete the preset " + name, file, before, true, {}};
+  return PresetChange{"Deleted the preset " + name, file, before, true, {}};
 }
 
 Result<void> undoPresetChange(const PresetChange& change) {

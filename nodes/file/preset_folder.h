@@ -1,8 +1,8 @@
 #pragma once
 // Folders with presets: what is in them, and every change of them so that it can be taken back. A preset is
-// NAME.json, its picture NAME.png beside it; the name a preset goes by stands in the file, so it may hold what
-// a file name may not. What is replaced or deleted goes to the folder `.deleted` in there. Any thread; two
-// programs may use one folder.
+// NAME.json, its picture NAME.png beside it; the name a preset goes by stands in the file, so it may hold
+// what a file name may not. What is replaced or deleted goes to the folder `.deleted` in there. Any thread;
+// two programs may use one folder.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,24 +21,24 @@ struct PresetEntry {
   std::string name, about;
   std::vector<std::string> tags;
   std::filesystem::path file;
-  std::string type;        ///< Parameters: of its node
-  int nodes = 0;           ///< how many it holds
-  bool writable = false;   ///< the folder and the file are
-  Key stamp{};             ///< fileStamp() when it was read
-  std::string fault;       ///< not "": it cannot be read, and why; the name is then the file's
+  std::string type;       ///< Parameters: of its node
+  int nodes = 0;          ///< how many it holds
+  bool writable = false;  ///< the folder and the file are
+  Key stamp{};            ///< fileStamp() when it was read
+  std::string fault;      ///< not "": it cannot be read, and why; the name is then the file's
 };
 
 /// Sorted by name; a folder that is not there has none, damaged files stand behind the others. At most 4096
 /// files of a folder are read.
 std::vector<PresetEntry> presetsIn(const std::filesystem::path& folder);
 
-/// The preset with its files as seen from `folder` (absolute where they share the root only, or where `folder`
-/// is ""). Errors (Input) name the file.
+/// The preset with its files as seen from `folder` (absolute where they share the root only, or where
+/// `folder` is ""). Errors (Input) name the file.
 Result<LoadedPreset> loadPreset(const std::filesystem::path& file, const std::filesystem::path& folder = {});
 
 /// What a change did, so that it can be undone.
 struct PresetChange {
-  std::string label;             ///< "Save the preset Dusk"
+  std::string label;             ///< "Saved the preset Dusk"
   std::filesystem::path file;    ///< of the preset
   std::filesystem::path before;  ///< what was there, in `.deleted`; "" = nothing
   bool deleted = false;          ///< nothing is there now

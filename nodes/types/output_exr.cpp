@@ -12,6 +12,7 @@ struct In {
   image::Compression compression = image::Compression::Zip;
   bool depth = false;
   bool lights = false;
+  bool light_groups = false;
 };
 
 struct Out {};
@@ -41,6 +42,12 @@ void describe(Describe<In, Out>& d) {
           "Adds a layer for each light node, by its name (Sun.R, Sun.G ...): its part of the picture, and "
           "emission.R ... where something emits. Their sum is the picture. Names are made of letters, digits "
           "and underscores; a soft sun takes about as long as the picture for each sample of its disc.");
+  d.in("light_groups", &In::light_groups)
+      .label("Layers by group")
+      .help(
+          "Adds a layer for each group of lights, by its name, and one for each light without a group: what "
+          "they light and what is seen of them. With emission.R ... where something emits, their sum is the "
+          "picture. Instead of the light layers.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

@@ -22,9 +22,11 @@ struct PictureLayer {
   bool operator==(const PictureLayer&) const = default;
 };
 
-/// Layers made beside the beauty, for files.
+/// Layers made beside the beauty, for files and for mixing.
 struct ExtraLayers {
   bool depth = false, lights = false;  ///< lights: and the emission, where something emits
+  /// Lights: what is seen of each environment is a layer apart ("backdrop1" of light 1), not of the emission.
+  bool backdrops = false;
   bool operator==(const ExtraLayers&) const = default;
 };
 

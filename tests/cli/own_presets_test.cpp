@@ -76,19 +76,18 @@ TEST(OwnPresets, AreRenderedByName) {
   std::ofstream(file) << kGraph;
   ASSERT_EQ(pileus({"render", file.string(), "-o", a.string()}, 120, home.environment).exitCode, 0);
   for (const char* name : {"Ball / low sun", "ball-low-sun", "BALL / LOW SUN", "From the show"}) {
-    const RunResult r =
-        pileus({"render", name, "-o", b.string(), "--overwrite"}, 120, home.environment);
+    const RunResult r = pileus({"render", name, "-o", b.string(), "--overwrite"}, 120, home.environment);
     ASSERT_EQ(r.exitCode, 0) << name << r.err;
     EXPECT_EQ(pileus({"compare", a.string(), b.string(), "--max-relmse", "0"}).exitCode, 0) << name;
   }
   // One that is part of the program.
-  const RunResult shipped =
-      pileus({"render", "cumulus", "-o", b.string(), "--overwrite", "--size", "32x18"}, 240, home.environment);
+  const RunResult shipped = pileus({"render", "cumulus", "-o", b.string(), "--overwrite", "--size", "32x18"},
+                                   240, home.environment);
   EXPECT_EQ(shipped.exitCode, 0) << shipped.err;
 
   const auto refused = [&](const std::string& name, const char* why) {
-    const RunResult r = run({PILEUS_BINARY, "render", name, "-o", b.string(), "--overwrite"}, 60,
-                            home.environment);
+    const RunResult r =
+        run({PILEUS_BINARY, "render", name, "-o", b.string(), "--overwrite"}, 60, home.environment);
     EXPECT_EQ(r.exitCode, 3) << name;
     EXPECT_NE(r.err.find(why), std::string::npos) << r.err;
   };

@@ -153,8 +153,7 @@ TEST(PresetsWindow, TwoWindowsLoseNothing) {
   menu(one, "presets.keep_document");
   keep(one, "Mine", "of one", "");
   // The other keeps its own home; the library is the first one's, as a show's would be.
-  UiSession two({1440, 900}, {graph.string()},
-                json{{"presetFolders", {ownFolder(one).string()}}});
+  UiSession two({1440, 900}, {graph.string()}, json{{"presetFolders", {ownFolder(one).string()}}});
   ASSERT_TRUE(two.running()) << two.log();
   two.finishPicture();
   menu(two, "presets.keep_document");
@@ -168,7 +167,8 @@ TEST(PresetsWindow, TwoWindowsLoseNothing) {
   one.focus();
   one.expectLogged("written by another program");
   menu(one, "presets.undo");
-  EXPECT_TRUE(one.waitFor([&](const json&) { return one.log().find("another program") != std::string::npos; }));
+  EXPECT_TRUE(
+      one.waitFor([&](const json&) { return one.log().find("another program") != std::string::npos; }));
   EXPECT_EQ(nodes::loadPreset(ownFolder(one) / "mine.json")->preset.about, "of two");
   two.focus();
   menu(two, "presets.undo");

@@ -42,20 +42,17 @@ void printRow(const std::string& name, const std::string& kind, const std::strin
 }
 
 void printAll(const PresetSources& sources, const std::vector<nodes::PresetEntry>& mine) {
-  for (const ShippedPreset& p : sources.shipped) printRow(p.name, "scene", p.about, p.tags, "shipped: " + p.file);
+  for (const ShippedPreset& p : sources.shipped)
+    printRow(p.name, "scene", p.about, p.tags, "shipped: " + p.file);
   for (const nodes::PresetEntry& e : mine)
-    if (e.fault.empty())
-      printRow(e.name, kindOf(e), e.about, e.tags, e.file.string());
+    if (e.fault.empty()) printRow(e.name, kindOf(e), e.about, e.tags, e.file.string());
 }
 
 json jsonOf(const PresetSources& sources, const std::vector<nodes::PresetEntry>& mine) {
   json list = json::array();
   for (const ShippedPreset& p : sources.shipped)
-    list.push_back({{"name", p.name},
-                    {"kind", "document"},
-                    {"about", p.about},
-                    {"tags", p.tags},
-                    {"shipped", p.file}});
+    list.push_back(
+        {{"name", p.name}, {"kind", "document"}, {"about", p.about}, {"tags", p.tags}, {"shipped", p.file}});
   for (const nodes::PresetEntry& e : mine) {
     json row = {{"name", e.name}, {"file", e.file.string()}};
     if (!e.fault.empty()) {
@@ -98,7 +95,8 @@ Result<NamedScene> namedScene(const PresetSources& sources, const std::string& n
   if (const nodes::PresetEntry* found = nodes::findPreset(mine, name)) {
     if (found->kind != nodes::PresetKind::Document)
       return fail(Code::Input, "the preset '{}' ({}) holds {}, not a scene that can be rendered", found->name,
-                  found->file.string(), found->kind == nodes::PresetKind::Nodes ? "some nodes" : "parameters");
+                  found->file.string(),
+                  found->kind == nodes::PresetKind::Nodes ? "some nodes" : "parameters");
     return NamedScene{found->file, {}};
   }
   for (const ShippedPreset& p : sources.shipped) {
@@ -111,8 +109,8 @@ Result<NamedScene> namedScene(const PresetSources& sources, const std::string& n
     if (!e.fault.empty() && lower(e.name) == lower(name)) return fail(Code::Input, "{}", e.fault);
   std::string places;
   for (const fs::path& folder : sources.folders) places += (places.empty() ? "" : ", ") + folder.string();
-  return fail(Code::Input, "there is neither a file nor a preset '{}'; `pileus presets` lists those of {}", name,
-              places.empty() ? "the program" : "the program and of " + places);
+  return fail(Code::Input, "there is neither a file nor a preset '{}'; `pileus presets` lists those of {}",
+              name, places.empty() ? "the program" : "the program and of " + places);
 }
 
 }  // namespace pileus::cli

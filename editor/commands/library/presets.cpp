@@ -67,8 +67,9 @@ void addParameters(Editor& editor, const nodes::Preset& preset, const std::strin
   const nodes::Graph& graph = editor.session.document.graph();
   const std::string& type = preset.graph.nodes.begin()->second->type;
   const nodes::NodeType* known = nodes::findNodeType(type);
-  const std::string name =
-      nodes::freeName(graph, nodes::checkName(preset.name) ? preset.name : known ? known->label : type);
+  const std::string name = nodes::freeName(graph, nodes::checkName(preset.name) ? preset.name
+                                                  : known                       ? known->label
+                                                                                : type);
   Result<nodes::Graph> added = nodes::addNode(graph, type, at, name);
   if (added) added = nodes::withPresetParameters(*added, name, preset);
   if (tryEdit(editor.session, editor.messages, std::move(added), "Add " + name))
@@ -105,9 +106,8 @@ void askKeepPreset(Editor& editor, nodes::PresetKind kind) {
 
 fs::path replacedBy(const Editor& editor, const PresetDialog& dialog) {
   if (dialog.folders.empty()) return {};
-  const fs::path folder = dialog.describing.empty()
-                              ? dialog.folders[static_cast<std::size_t>(dialog.folder)]
-                              : dialog.describing.parent_path();
+  const fs::path folder = dialog.describing.empty() ? dialog.folders[static_cast<std::size_t>(dialog.folder)]
+                                                    : dialog.describing.parent_path();
   for (const nodes::PresetEntry& e : editor.presets.entries())
     if (e.fault.empty() && e.name == dialog.name && e.file.parent_path() == folder &&
         e.file != dialog.describing)
@@ -212,7 +212,7 @@ void pollPresets(Editor& editor) {
   }
   editor.modals.preset = false;
   const std::string& label = (*change)->label;
-  if (label.starts_with("Undo: "))
+  if (label.starts_with("Undone: "))
     editor.messages.info(label);
   else
     editor.messages.offer(label, "Undo", "presets.undo");

@@ -107,13 +107,13 @@ TEST(Preset, NamesAndWhatIsNoPreset) {
   EXPECT_FALSE(checkPresetAbout(std::string(401, 'x')));
   EXPECT_EQ(presetTagList(presetTags(" B ,,a,  b")), "a, b");
   EXPECT_EQ(presetTags(std::string(100, ',') + "x").size(), 1u);
-  for (const char* bad :
-       {"", "{", "[]", R"({"pileus": 1, "nodes": {}, "links": []})",
-        R"({"pileus": 1, "nodes": {}, "preset": 3})", R"({"pileus": 1, "nodes": {}, "preset": {"kind": "x"}})",
-        R"({"pileus": 1, "nodes": {}, "preset": {"kind": "document"}})",
-        R"({"pileus": 1, "nodes": {}, "preset": {"kind": "document", "name": ""}})",
-        R"({"pileus": 1, "nodes": {}, "preset": {"kind": "parameters", "name": "a"}})",
-        R"({"pileus": 1, "nodes": {}, "preset": {"kind": "nodes", "name": "a"}})"}) {
+  for (const char* bad : {"", "{", "[]", R"({"pileus": 1, "nodes": {}, "links": []})",
+                          R"({"pileus": 1, "nodes": {}, "preset": 3})",
+                          R"({"pileus": 1, "nodes": {}, "preset": {"kind": "x"}})",
+                          R"({"pileus": 1, "nodes": {}, "preset": {"kind": "document"}})",
+                          R"({"pileus": 1, "nodes": {}, "preset": {"kind": "document", "name": ""}})",
+                          R"({"pileus": 1, "nodes": {}, "preset": {"kind": "parameters", "name": "a"}})",
+                          R"({"pileus": 1, "nodes": {}, "preset": {"kind": "nodes", "name": "a"}})"}) {
     const auto loaded = presetFromText(bad);
     EXPECT_FALSE(loaded) << bad;
     if (!loaded) {
@@ -171,7 +171,7 @@ TEST(PresetFolder, SaveListRenameReplaceDeleteAndBack) {
   // Deleted, and back.
   const auto deleted = deletePreset(saved->file);
   ASSERT_TRUE(deleted);
-  EXPECT_EQ(deleted->label, "Delete the preset Dusk / low sun");
+  EXPECT_EQ(deleted->label, "Deleted the preset Dusk / low sun");
   EXPECT_FALSE(fs::exists(saved->file));
   EXPECT_FALSE(fs::exists(folder / "dusk-low-sun.png"));
   ASSERT_TRUE(undoPresetChange(*deleted));
@@ -278,7 +278,8 @@ TEST(PresetFolder, FilesAreFoundFromWhereverItIsOpened) {
   ASSERT_TRUE(saved);
   EXPECT_NE(readFile(saved->file)->find("../shot/data/smoke.vdb"), std::string::npos);
   const auto path = [&](const fs::path& from) {
-    return std::get<std::string>(loadPreset(saved->file, from)->preset.graph.nodes.at("File")->params.at("file"));
+    return std::get<std::string>(
+        loadPreset(saved->file, from)->preset.graph.nodes.at("File")->params.at("file"));
   };
   EXPECT_EQ(path(shot), "data/smoke.vdb");
   EXPECT_EQ(path({}), (shot / "data/smoke.vdb").lexically_normal().string());

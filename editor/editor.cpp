@@ -5,22 +5,27 @@
 #include "editor/app/trace_report.h"
 #include "editor/commands/actions.h"
 #include "editor/commands/command_palette.h"
+#include "editor/commands/library/presets.h"
 #include "editor/commands/menu.h"
 #include "editor/commands/shortcut_sheet.h"
 #include "editor/document/drops.h"
 #include "editor/document/graph_pictures.h"
+#include "editor/document/preset_shelf.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/graph_room.h"
 #include "editor/lab/lab.h"
 #include "editor/lab/lab_room.h"
 #include "editor/lab/ray_scope.h"
+#include "editor/lights/lights_panel.h"
+#include "editor/lights/lights_room.h"
 #include "editor/parameters/parameter_room.h"
 #include "editor/parameters/parameters.h"
 #include "editor/picture/exporter.h"
 #include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
 #include "editor/preferences/settings_file.h"
+#include "editor/start/start_room.h"
 #include "editor/start/start_view.h"
 #include "editor/start/tour.h"
 #include "editor/status/log_panel.h"
@@ -67,6 +72,7 @@ struct Editor::Parts {
   Exporter exporter;
   Drops drops;
   GraphPictures pictures;
+  PresetShelf presets;
 
   Canvas canvas;
   Viewport viewport;
@@ -74,19 +80,23 @@ struct Editor::Parts {
   Timeline timeline;
   RayScope scope;
   Lab lab;
+  LightsPanel lights;
   LogPanel logPanel;
   StartView start;
   Tour tour;
   MenuBar menuBar;
   CommandPalette commands;
   ShortcutSheet sheet;
+  PresetDialog presetDialog;
 
-  GraphRoom graphRoom{ui, session, clock, shown, settings, canvas};
+  GraphRoom graphRoom{ui, session, clock, shown, settings, canvas, presets};
   ViewportRoom viewportRoom{ui, session, clock, shown, settings, viewport};
-  ParameterRoom parameterRoom{ui, session, clock, shown, settings, parameters};
+  ParameterRoom parameterRoom{ui, session, clock, shown, settings, parameters, pictures};
   TimelineRoom timelineRoom{ui, session, clock, shown, settings, timeline};
   LabRoom labRoom{ui, session, clock, shown, settings, lab};
+  LightsRoom lightsRoom{ui, session, clock, shown, settings, lights};
   StatusRoom statusRoom{ui, session, clock, shown, exporter, logPanel};
+  StartRoom startRoom{ui, settings, pictures, presets, start};
 };
 
 Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, Theme theTheme,
@@ -111,24 +121,29 @@ Editor::Editor(Window& theWindow, std::unique_ptr<view::Renderer> theRenderer, T
       exporter(parts_->exporter),
       drops(parts_->drops),
       pictures(parts_->pictures),
+      presets(parts_->presets),
       canvas(parts_->canvas),
       viewport(parts_->viewport),
       parameters(parts_->parameters),
       timeline(parts_->timeline),
       scope(parts_->scope),
       lab(parts_->lab),
+      lights(parts_->lights),
       logPanel(parts_->logPanel),
       start(parts_->start),
       tour(parts_->tour),
       menuBar(parts_->menuBar),
       commands(parts_->commands),
       sheet(parts_->sheet),
+      presetDialog(parts_->presetDialog),
       graphRoom(parts_->graphRoom),
       viewportRoom(parts_->viewportRoom),
       parameterRoom(parts_->parameterRoom),
       timelineRoom(parts_->timelineRoom),
       labRoom(parts_->labRoom),
-      statusRoom(parts_->statusRoom) {}
+      lightsRoom(parts_->lightsRoom),
+      statusRoom(parts_->statusRoom),
+      startRoom(parts_->startRoom) {}
 
 Editor::~Editor() = default;
 
@@ -150,6 +165,8 @@ void documentReplaced(Editor& editor) {
   shown.displayed.colorsOf = "\n";
   shown.snapshots = {};
   shown.ray = {};
+  shown.mixer = {};
+  shown.lights = {};
   shown.preview.newDocument();
   editor.viewport.tools = {};
   editor.canvas = Canvas{};
@@ -158,6 +175,7 @@ void documentReplaced(Editor& editor) {
   editor.fields = Fields{};
   editor.scope = RayScope{};
   editor.lab = Lab{};
+  editor.lights = LightsPanel{};
 }
 
 }  // namespace pileus::editor

@@ -13,6 +13,7 @@ class Drops;
 class Exporter;
 class GraphPictures;
 class Messages;
+class PresetShelf;
 class Requests;
 class SettingsFile;
 class TraceReport;
@@ -26,16 +27,20 @@ struct FrameState;
 struct GraphRoom;
 struct Lab;
 struct LabRoom;
+struct LightsPanel;
+struct LightsRoom;
 struct LogPanel;
 struct MenuBar;
 struct Modals;
 struct ParameterRoom;
 struct Parameters;
+struct PresetDialog;
 struct RayScope;
 struct Session;
 struct Settings;
 struct ShortcutSheet;
 struct Shown;
+struct StartRoom;
 struct StartView;
 struct StatusRoom;
 struct Theme;
@@ -79,6 +84,7 @@ struct Editor {
   Exporter& exporter;
   Drops& drops;
   GraphPictures& pictures;
+  PresetShelf& presets;
 
   // What the rooms remember of how they are looked at.
   Canvas& canvas;
@@ -87,12 +93,14 @@ struct Editor {
   Timeline& timeline;
   RayScope& scope;
   Lab& lab;
+  LightsPanel& lights;
   LogPanel& logPanel;
   StartView& start;
   Tour& tour;
   MenuBar& menuBar;
   CommandPalette& commands;
   ShortcutSheet& sheet;
+  PresetDialog& presetDialog;
 
   // The parts by room, for functions that need more than four.
   const GraphRoom& graphRoom;
@@ -100,7 +108,9 @@ struct Editor {
   const ParameterRoom& parameterRoom;
   const TimelineRoom& timelineRoom;
   const LabRoom& labRoom;
+  const LightsRoom& lightsRoom;
   const StatusRoom& statusRoom;
+  const StartRoom& startRoom;
 
   bool quit = false, quitAfterExport = false;
 };

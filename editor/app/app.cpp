@@ -12,12 +12,14 @@
 #include "editor/commands/command_palette.h"
 #include "editor/commands/drop_commands.h"
 #include "editor/commands/files.h"
+#include "editor/commands/library/presets.h"
 #include "editor/commands/look.h"
 #include "editor/dialogs/dialogs.h"
 #include "editor/document/crash_log.h"
 #include "editor/document/drops.h"
 #include "editor/document/end_signals.h"
 #include "editor/document/graph_pictures.h"
+#include "editor/document/preset_shelf.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/exchange/messages.h"
@@ -25,6 +27,7 @@
 #include "editor/lab/lab.h"
 #include "editor/parameters/parameters.h"
 #include "editor/picture/exporter.h"
+#include "editor/picture/light_mixer.h"
 #include "editor/picture/light_view.h"
 #include "editor/picture/shown.h"
 #include "editor/picture/shown_camera.h"
@@ -89,6 +92,7 @@ PreviewRequest previewRequest(const Editor& editor) {
   request.layer = editor.shown.mode.layer;
   request.region = wantedRegion(editor.shown);
   request.draftMs = editor.settings.draftMs;
+  applyLights(editor.shown, request);
   return request;
 }
 
@@ -122,6 +126,7 @@ void evaluate(Editor& editor) {
     if (shown.preview.complete() || !shown.preview.wantsFrame() || clock.ms() > kSliceMs) break;
     editor.window.waitEvents(0);
   }
+  stepMixer(editor.session, editor.shown);
   if (editor.window.inputPending()) return;
   if (const double left = kSliceMs - clock.ms(); left > 0)
     labWantsFrame(shown, editor.lab) ? stepLab(editor.ui, shown, editor.lab, left)
@@ -161,9 +166,10 @@ void drawFrame(Editor& editor) {
   ImGui::GetIO().UserData = &editor.now.cut;
   editor.fields.beginFrame();
   handleKeys(editor);
+  pollPresets(editor);
   stepPlayback(editor.session, editor.clock, editor.shown.preview.answered());
   drawPanels(editor);
-  drawStart(editor.ui, editor.settings, editor.pictures, editor.start);
+  drawStart(editor.startRoom);
   drawDialogs(editor);
   drawCommandPalette(editor);
   drawTour(editor.ui, editor.settings, editor.tour);
@@ -312,6 +318,7 @@ int withEditor(const EditorOptions& options, const std::function<void(Editor&)>&
     const gl::DeviceInfo& device = editor.shown.renderer.device();
     crash::setDevice(device.renderer + ", " + device.version);
     editor.window.holds = [&editor](const InputEvent& e, bool moved) { return holdsInput(editor, e, moved); };
+    editor.presets.refresh(presetFolders(editor.settings));
     beginStart(editor.settings, editor.start, !options.file.empty());
     use(editor);
     // Saved or given up, unless somebody else ended the program.

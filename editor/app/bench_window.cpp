@@ -9,12 +9,15 @@
 
 #include "editor/app/app.h"
 #include "editor/cli/big_graph.h"
+#include "editor/commands/files.h"
 #include "editor/document/environment_scene.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/picture/compare_mode.h"
+#include "editor/picture/light_mixer.h"
 #include "editor/picture/shown.h"
+#include "editor/preferences/settings.h"
 #include "editor/toolkit/ui.h"
 #include "editor/toolkit/ui_trace.h"
 #include "editor/toolkit/window.h"
@@ -178,6 +181,56 @@ int turnRow() {
   return code == 0 && !measured ? static_cast<int>(Code::Internal) : code;
 }
 
+/// From a move of the pointer on a group's exposure to the swap of a frame with the new mix.
+std::vector<double> mixTimes(Editor& editor, dvec2 at) {
+  std::vector<double> times;
+  int settling = kSettlingFrames;
+  editor.window.push({Kind::Move, at});
+  runFrame(editor, settling);
+  editor.window.push({Kind::Button, at, 0, true});
+  runFrame(editor, settling);
+  for (int i = 1; i <= kDragSteps; ++i) {
+    const auto before = editor.shown.preview.picture();
+    editor.window.push({Kind::Move, at + dvec2(3 * i, 0)});
+    const Stopwatch clock;
+    while (clock.ms() < 3000 && editor.shown.preview.picture() == before) {
+      settling = kSettlingFrames;
+      runFrame(editor, settling);
+    }
+    runFrame(editor, settling);  // it is drawn by the next one
+    times.push_back(clock.ms());
+  }
+  editor.window.push({Kind::Button, at + dvec2(3 * kDragSteps, 0), 0, false});
+  runFrame(editor, settling);
+  return times;
+}
+
+/// A scene of two groups of lights, whose picture fills a window of 1280 x 720.
+int mixRow() {
+  bool measured = false;
+  const int code = withEditor({}, [&](Editor& editor) {
+    editor.trace.collect(true);
+    openPreset(editor, "two-lights.json");
+    editor.settings.showGraph = editor.settings.showParameters = false;
+    editor.settings.showLights = true;
+    editor.shown.mixer.on = true;
+    for (int i = 0; i < 20; ++i) settle(editor, 120);
+    const std::vector<LightAt> lights = lightsOf(editor.session.document.root());
+    dvec2 at;
+    if (lights.empty() || editor.shown.mixer.layers.empty() ||
+        !middleOf(editor, ("mixer/exposure/" + lights.front().channel).c_str(), at))
+      return log::error("bench: the mixer has no layers: {}", editor.shown.mixer.error);
+    const ivec2 size = editor.shown.preview.rendered()->size;
+    const std::vector<double> times = mixTimes(editor, at);
+    std::printf(
+        "| drag of a group's exposure in the light mixer to the new picture, %d x %d | %.0f ms (worst "
+        "%.0f) | 33 ms |\n",
+        size.x, size.y, median(times), *std::max_element(times.begin(), times.end()));
+    measured = true;
+  });
+  return code == 0 && !measured ? static_cast<int>(Code::Internal) : code;
+}
+
 /// Share of one processor while nothing happens.
 double restShare(Editor& editor) {
   int settling = 0;
@@ -229,6 +282,7 @@ int benchWindow() {
   if (code == 0) code = canvasRow(500, 30);
   if (code == 0) code = defaultRows();
   if (code == 0) code = turnRow();
+  if (code == 0) code = mixRow();
   return code;
 }
 

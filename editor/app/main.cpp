@@ -7,6 +7,9 @@
 #include "editor/app/bench_window.h"
 #include "editor/cli/cli.h"
 #include "editor/commands/keyboard.h"
+#include "editor/document/preset_shelf.h"
+#include "editor/preferences/settings.h"
+#include "editor/start/start_view.h"
 #include "renderer/base/file.h"
 #include "renderer/base/jobs.h"
 #include "renderer/image/environment_import.h"
@@ -43,6 +46,15 @@ int main(int argc, char** argv) {
     return markdown ? pileus::editor::keyboardMarkdown() : pileus::editor::keyboardText();
   };
   side.measure = pileus::editor::benchWindow;
+  side.shippedPresets = [] {
+    std::vector<pileus::cli::ShippedPreset> all;
+    for (const pileus::editor::PresetText& p : pileus::editor::galleryTexts())
+      all.push_back({p.file, p.name, p.about, pileus::nodes::presetTags(p.tags)});
+    return all;
+  };
+  side.presetFolders = [] {
+    return pileus::editor::presetFolders(pileus::editor::loadSettings(pileus::configFolder()));
+  };
   const int code = pileus::cli::run(argc, argv, side);
   pileus::joinRetiredJobs();
   return code;

@@ -61,12 +61,14 @@ PanelAreas panelAreas(const PanelLayout& layout, Panel maximised, vec2 lo, vec2 
   if (layout.showLog) wanted += theme.px(static_cast<float>(layout.logHeight)) + d.gap;
   if (layout.showLab) wanted += theme.px(static_cast<float>(layout.labHeight)) + d.gap;
   if (layout.showTimeline) wanted += theme.px(static_cast<float>(layout.timelineHeight)) + d.gap;
+  if (layout.showLights) wanted += theme.px(static_cast<float>(layout.lightsHeight)) + d.gap;
   const float height = hi.y - lo.y, spare = std::max(height - theme.px(kLeastMiddle), 0.55f * height);
   const float share = std::min(1.0f, spare / std::max(wanted, 1.0f));
   if (layout.showLog) d.bottom(room, Panel::Log, "splitter/log", &PanelLayout::logHeight, share);
   if (layout.showLab) d.bottom(room, Panel::Lab, "splitter/lab", &PanelLayout::labHeight, share);
   if (layout.showTimeline)
     d.bottom(room, Panel::Timeline, "splitter/timeline", &PanelLayout::timelineHeight, share);
+  if (layout.showLights) d.bottom(room, Panel::Lights, "splitter/lights", &PanelLayout::lightsHeight, share);
   if (layout.showParameters)
     d.right(room, Panel::Parameters, "splitter/parameters", &PanelLayout::parametersWidth, 240);
   if (layout.showScope) d.right(room, Panel::Scope, "splitter/scope", &PanelLayout::scopeWidth, 280);

@@ -16,6 +16,7 @@
 #include "editor/graph_view/frames.h"
 #include "editor/lab/lab.h"
 #include "editor/lab/ray_scope.h"
+#include "editor/lights/lights_panel.h"
 #include "editor/parameters/parameters.h"
 #include "editor/picture/compare_mode.h"
 #include "editor/picture/shown.h"
@@ -62,6 +63,8 @@ void drawContent(Editor& editor, Panel panel, ImVec2 min, ImVec2 max, bool hover
       return drawLog(editor.ui, editor.logPanel, min, max);
     case Panel::Timeline:
       return drawTimeline(editor.timelineRoom, min, max);
+    case Panel::Lights:
+      return drawLights(editor.lightsRoom, min, max);
     case Panel::Global:
       return;
   }

@@ -12,6 +12,7 @@
 #include "editor/cli/compare.h"
 #include "editor/cli/info.h"
 #include "editor/cli/judge.h"
+#include "editor/cli/library/presets.h"
 #include "editor/cli/nodes.h"
 #include "editor/cli/render.h"
 #include "editor/cli/shootout.h"
@@ -47,6 +48,13 @@ std::string parseFrames(const std::string& text, ivec3& out) {
   if (b < a || s < 1) return "--frames: '" + text + "' is an empty range";
   out = ivec3(a, b, s);
   return {};
+}
+
+PresetSources presetSources(const EditorSide& editor) {
+  PresetSources out;
+  if (editor.shippedPresets) out.shipped = editor.shippedPresets();
+  if (editor.presetFolders) out.folders = editor.presetFolders();
+  return out;
 }
 
 int usageError(const std::string& message) {
@@ -107,7 +115,7 @@ int run(int argc, char** argv, const EditorSide& editor) {
   std::string size, frames;
   CLI::App* renderCommand =
       app.add_subcommand("render", "Render a graph to OpenEXR files, without a window.");
-  renderCommand->add_option("file", render.file, "Graph file (.json).")->required();
+  renderCommand->add_option("file", render.file, "Graph file (.json), or the name of a preset.")->required();
   renderCommand->add_option("-o,--out", render.out,
                             "Target: .exr, or .png for the view's picture alone; '#', '####', '%04d' or "
                             "'$F' is the frame. '-' is the EXR on standard output.");
@@ -138,6 +146,11 @@ int run(int argc, char** argv, const EditorSide& editor) {
   CLI::App* nodesCommand = app.add_subcommand("nodes", "List every node type and parameter.");
   CLI::Option* markdownFlag = nodesCommand->add_flag("--markdown", markdown, "As docs/nodes.md.");
   nodesCommand->add_flag("--json", json, "Machine-readable.")->excludes(markdownFlag);
+
+  bool presetsJson = false;
+  CLI::App* presetsCommand =
+      app.add_subcommand("presets", "List the presets of the program and those of your folders.");
+  presetsCommand->add_flag("--json", presetsJson, "Machine-readable.");
 
   bool keysMarkdown = false;
   CLI::App* keysCommand = app.add_subcommand("keys", "List the keys and gestures of the editor.");
@@ -290,12 +303,19 @@ int run(int argc, char** argv, const EditorSide& editor) {
       if (const std::string e = parseFrames(frames, render.frames); !e.empty()) return usageError(e);
       render.framesGiven = true;
     }
+    if (isPresetName(render.file)) {
+      Result<NamedScene> scene = namedScene(presetSources(editor), render.file.string());
+      if (!scene) return usageError(scene.error().message), static_cast<int>(scene.error().code);
+      render.file = std::move(scene->file);
+      render.text = std::move(scene->text);
+    }
     return renderMain(render);
   }
   if (*checkCommand) return checkMain(checkFiles);
   if (*infoCommand) return infoMain(info);
   if (*nodesCommand)
     return nodesMain(markdown ? NodesFormat::Markdown : json ? NodesFormat::Json : NodesFormat::Text);
+  if (*presetsCommand) return presetsMain(presetSources(editor), presetsJson);
   if (*keysCommand) {
     const std::string text = editor.keys(keysMarkdown);
     std::fwrite(text.data(), 1, text.size(), stdout);

@@ -5,21 +5,23 @@
 
 #include <fmt/ranges.h>
 
-#include "nodes/file/serialize.h"
-
 namespace fs = std::filesystem;
 
 namespace pileus::cli {
 
 Result<nodes::Graph> loadFaultless(const fs::path& file, const char* what) {
-  PILEUS_TRY(nodes::Loaded loaded, nodes::loadGraph(file));
+  return withoutFaults(nodes::loadGraph(file), file, what);
+}
+
+Result<nodes::Graph> withoutFaults(Result<nodes::Loaded> loaded, const fs::path& file, const char* what) {
+  if (!loaded) return loaded.error();
   bool bad = false;
-  for (const nodes::Fault& f : loaded.faults) {
+  for (const nodes::Fault& f : loaded->faults) {
     std::fprintf(stderr, "pileus: %s: %s\n", file.c_str(), nodes::faultText(f).c_str());
     bad |= f.error;
   }
   if (bad) return fail(Code::Input, "{}: not {} because of the errors above", file.string(), what);
-  return std::move(loaded.graph);
+  return std::move(loaded->graph);
 }
 
 Result<std::string> outputNode(const nodes::Graph& graph, const fs::path& file, const std::string& wanted) {

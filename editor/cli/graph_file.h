@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "nodes/graph/graph.h"
+#include "nodes/file/serialize.h"
 #include "renderer/image/color.h"
 
 namespace pileus::cli {
@@ -13,6 +13,10 @@ namespace pileus::cli {
 /// Faults are printed; any error among them ends it: "FILE: not `what` because of the errors above". Errors:
 /// Input.
 Result<nodes::Graph> loadFaultless(const std::filesystem::path& file, const char* what);
+
+/// The same of a graph that was read already.
+Result<nodes::Graph> withoutFaults(Result<nodes::Loaded> loaded, const std::filesystem::path& file,
+                                   const char* what);
 
 /// The output node that is meant: `wanted`, or the only one, an EXR output before a view. Error (Arguments):
 /// no such node, or several; Error (Input): none at all.

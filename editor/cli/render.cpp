@@ -42,7 +42,8 @@ int report(const Error& e) {
 
 /// The graph with --set and --size applied. Faults of the file are printed; any error among them ends it.
 Result<Graph> prepared(const RenderOptions& o) {
-  PILEUS_TRY(Graph graph, loadFaultless(o.file, "rendered"));
+  PILEUS_TRY(Graph graph, o.text.empty() ? loadFaultless(o.file, "rendered")
+                                         : withoutFaults(nodes::parseGraph(o.text), o.file, "rendered"));
   for (const std::string& text : o.set) {
     const std::size_t equals = text.find('='), dot = text.rfind('.', equals);
     if (equals == text.npos || dot == text.npos)

@@ -11,6 +11,7 @@ namespace pileus::cli {
 
 struct RenderOptions {
   std::filesystem::path file;
+  std::string text;           ///< not "": of the graph, which is in no file; `file` is then its name
   std::filesystem::path out;  ///< "-": standard output; empty: the output.exr node's own file
   std::optional<ivec2> size;
   ivec3 frames{0, 0, 1};  ///< first, last, step; 0 0 1 = the file's range

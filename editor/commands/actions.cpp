@@ -82,9 +82,10 @@ void run(Editor& editor, const Action& action) {
 std::span<const Action> allActions() {
   static const std::vector<Action> all = [] {
     std::vector<Action> joined;
-    for (const auto part : {fileActions(), editActions(), graphActions(), lookActions(), numberedActions(),
-                            viewportActions(), cameraActions(), displayActions(), parameterActions(),
-                            timelineActions(), windowActions(), viewActions(), helpActions()})
+    for (const auto part :
+         {fileActions(), presetActions(), editActions(), graphActions(), lookActions(), numberedActions(),
+          viewportActions(), cameraActions(), displayActions(), parameterActions(), lightActions(),
+          timelineActions(), windowActions(), viewActions(), helpActions()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

@@ -2,6 +2,7 @@
 
 #include "editor/commands/actions.h"
 #include "editor/commands/files.h"
+#include "editor/commands/library/presets.h"
 #include "editor/commands/panel_commands.h"
 #include "editor/document/recovery.h"
 #include "editor/editor.h"
@@ -21,6 +22,8 @@ struct CarryOut {
   void operator()(const OpenPreset& r) {
     withSavedDocument(editor, [&e = editor, name = r.name] { openPreset(e, name); });
   }
+  void operator()(const UsePreset& r) { usePreset(editor, r); }
+  void operator()(const ChangePreset& r) { changePreset(editor, r); }
   void operator()(const OpenLost& r) {
     withSavedDocument(editor, [&e = editor, lost = r.lost] {
       if (openLost(e, *lost))

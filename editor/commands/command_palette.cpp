@@ -11,6 +11,7 @@
 #include "editor/commands/actions.h"
 #include "editor/commands/files.h"
 #include "editor/commands/menu.h"
+#include "editor/document/preset_shelf.h"
 #include "editor/editor.h"
 #include "editor/exchange/requests.h"
 #include "editor/graph_view/search/fuzzy.h"
@@ -47,6 +48,10 @@ std::vector<PaletteEntry> allCommands(const Editor& editor) {
     all.push_back(
         {presetLabel(name), "Preset", "", "preset:" + name, true, false, Panel::Global, OpenPreset{name}});
   }
+  for (const nodes::PresetEntry& e : editor.presets.entries())
+    if (e.fault.empty())
+      all.push_back({e.name, "Preset", "", "preset:" + e.file.string(), true, false, Panel::Global,
+                     UsePreset{e.file, {}, {}}});
   std::error_code ec;
   for (const std::string& path : editor.settings.recentFiles)
     all.push_back({std::filesystem::path(path).filename().string(), "Recent file", "", "file:" + path,

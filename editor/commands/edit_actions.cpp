@@ -82,6 +82,13 @@ const Action kActions[] = {
      .keys = {ctrl(GLFW_KEY_A)},
      .run = [](Editor& e) { selectAllNodes(e.session, e.canvas); },
      .enabled = hasNodes},
+    {.id = "variations.take",
+     .label = "Take Variation",
+     .menu = "Edit",
+     .panel = P::Global,
+     .run = [](Editor& e) { takeVariation(e.parameterRoom); },
+     .enabled = hasNodes,
+     .separator = true},
 };
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "editor/toolkit/file_listing.h"
 #include "editor/toolkit/modals.h"
 #include "embedded_presets.h"
+#include "nodes/file/preset.h"
 #include "nodes/file/serialize.h"
 #include "renderer/base/file.h"
 
@@ -211,6 +212,19 @@ bool openPreset(Editor& editor, const std::string& name) {
   }
   editor.messages.warn(fmt::format("There is no preset {}.", name));
   return false;
+}
+
+bool openPresetText(Editor& editor, const std::string& text, const fs::path& from) {
+  Result<nodes::LoadedPreset> loaded = nodes::presetFromText(text);
+  if (!loaded) {
+    failed(editor, "The preset was not opened", loaded.error());
+    return false;
+  }
+  nodes::Loaded scene{nodes::withRelativePaths(loaded->preset.graph, from.parent_path(), "/"),
+                      std::move(loaded->faults)};
+  put(editor, std::move(scene), {}, loaded->preset.name);
+  tellMissing(editor);
+  return true;
 }
 
 void save(Editor& editor, std::function<void()> then) {

@@ -27,6 +27,8 @@ bool openText(Editor& editor, const std::string& text, const std::filesystem::pa
 bool openLost(Editor& editor, const Lost& lost);
 /// A preset that is part of the program ("default.json"): opens as an unnamed document.
 bool openPreset(Editor& editor, const std::string& name);
+/// The text of a preset of one's own opens the same way; its relative paths start beside `from`.
+bool openPresetText(Editor& editor, const std::string& text, const std::filesystem::path& from);
 /// To its file, or asks for one. `then` runs after a successful save.
 void save(Editor& editor, std::function<void()> then = {});
 void saveAs(Editor& editor, std::function<void()> then = {});

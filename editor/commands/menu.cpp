@@ -13,6 +13,7 @@
 #include "editor/commands/files.h"
 #include "editor/commands/look.h"
 #include "editor/commands/panel_commands.h"
+#include "editor/document/preset_shelf.h"
 #include "editor/document/session.h"
 #include "editor/editor.h"
 #include "editor/exchange/messages.h"
@@ -66,6 +67,15 @@ void openMenus(Editor& editor) {
     if (ImGui::MenuItem(presetLabel(file.path).c_str()))
       editor.requests.push(OpenPreset{std::string(file.path)});
     editor.trace.item("preset/" + std::string(file.path));
+  }
+  bool any = false;
+  for (const nodes::PresetEntry& e : editor.presets.entries()) {
+    if (!e.fault.empty() || e.kind != nodes::PresetKind::Document) continue;
+    if (!std::exchange(any, true)) ImGui::Separator();
+    ImGui::PushID(e.file.c_str());
+    if (ImGui::MenuItem(e.name.c_str())) editor.requests.push(UsePreset{e.file, {}, {}});
+    editor.trace.item("preset/" + e.name);
+    ImGui::PopID();
   }
   ImGui::EndMenu();
 }

@@ -16,6 +16,7 @@ constexpr Shortcut ctrlShift(int key) { return {key, true, true, false}; }
 constexpr Shortcut plain(int key) { return {key, false, false, false}; }
 
 std::span<const Action> fileActions();
+std::span<const Action> presetActions();
 std::span<const Action> editActions();
 std::span<const Action> graphActions();
 std::span<const Action> lookActions();
@@ -24,6 +25,7 @@ std::span<const Action> viewportActions();
 std::span<const Action> cameraActions();
 std::span<const Action> displayActions();
 std::span<const Action> parameterActions();
+std::span<const Action> lightActions();
 std::span<const Action> timelineActions();
 std::span<const Action> windowActions();
 std::span<const Action> viewActions();

@@ -47,6 +47,7 @@ const Action kActions[] = {
     PANEL(Lab, "Lab", alt(GLFW_KEY_5)),
     PANEL(Log, "Log", alt(GLFW_KEY_6), plain(GLFW_KEY_F8)),
     PANEL(Timeline, "Timeline", alt(GLFW_KEY_7)),
+    PANEL(Lights, "Lights", alt(GLFW_KEY_8)),
     LAYOUT(0, "default", "Default"),
     LAYOUT(1, "graph", "Graph"),
     LAYOUT(2, "look", "Look"),

@@ -12,6 +12,7 @@ namespace pileus::editor {
 namespace {
 
 constexpr int kLongest = 512;
+constexpr std::size_t kMostOwn = 96;  // pictures of presets on the GPU; more than a window can show
 
 }  // namespace
 
@@ -75,23 +76,40 @@ GraphPictures::Shown GraphPictures::preset(std::string_view name) {
 GraphPictures::Shown GraphPictures::file(const fs::path& graph) {
   const std::string key = graph.string();
   if (const auto it = files_.find(key); it != files_.end()) return {it->second.texture.id(), it->second.size};
-  if (loaded_) return {};
+  if (loaded_ || (writing_ && !writing_->done())) return {};
   const Result<std::string> bytes = readFile(thumbnailPath(graph), std::size_t(8) << 20);
   return load(files_, key, bytes ? std::string_view(*bytes) : std::string_view());
 }
 
-void GraphPictures::keep(unsigned texture, const fs::path& graph) {
-  if (texture == 0) return;
-  ivec2 size{0};
-  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &size.x);
-  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &size.y);
-  if (size.x < 1 || size.y < 1) return;
-  std::vector<unsigned char> rgba(std::size_t(size.x) * std::size_t(size.y) * 4);
+GraphPictures::Shown GraphPictures::beside(const fs::path& preset, Key stamp) {
+  const std::string key = preset.string() + stamp.hex();
+  if (const auto it = own_.find(key); it != own_.end()) return {it->second.texture.id(), it->second.size};
+  if (loaded_) return {};
+  if (own_.size() >= kMostOwn) own_.clear();
+  const Result<std::string> bytes =
+      readFile(fs::path(preset).replace_extension(".png"), std::size_t(8) << 20);
+  return load(own_, key, bytes ? std::string_view(*bytes) : std::string_view());
+}
+
+TexturePixels readTexture(unsigned texture) {
+  TexturePixels out;
+  if (texture == 0) return out;
+  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &out.size.x);
+  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &out.size.y);
+  if (out.size.x < 1 || out.size.y < 1) return {};
+  out.rgba.resize(std::size_t(out.size.x) * std::size_t(out.size.y) * 4);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()), rgba.data());
+  glGetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(out.rgba.size()),
+                    out.rgba.data());
+  return out;
+}
+
+void GraphPictures::keep(unsigned texture, const fs::path& graph) {
+  TexturePixels pixels = readTexture(texture);
+  if (pixels.rgba.empty()) return;
   forget(graph);
-  writing_ = std::make_unique<Job<bool>>([size, rgba = std::move(rgba), graph](JobControl&) -> Result<bool> {
-    const SmallPicture small = reducedPicture(size, rgba, kLongest);
+  writing_ = std::make_unique<Job<bool>>([pixels = std::move(pixels), graph](JobControl&) -> Result<bool> {
+    const SmallPicture small = reducedPicture(pixels.size, pixels.rgba, kLongest);
     const fs::path path = thumbnailPath(graph);
     std::error_code ec;
     fs::create_directories(path.parent_path(), ec);

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/base/hash.h"
 #include "renderer/base/jobs.h"
 #include "renderer/gl/texture.h"
 
@@ -22,6 +23,13 @@ struct SmallPicture {
 };
 SmallPicture reducedPicture(ivec2 size, const std::vector<unsigned char>& rgba, int longest);
 
+/// What an RGBA8 texture holds; nothing of texture 0. GL thread.
+struct TexturePixels {
+  ivec2 size{0};
+  std::vector<unsigned char> rgba;
+};
+TexturePixels readTexture(unsigned texture);
+
 class GraphPictures {
  public:
   struct Shown {
@@ -33,6 +41,8 @@ class GraphPictures {
   bool wantsFrame() const { return loaded_; }  ///< others may be waiting for their turn
   Shown preset(std::string_view name);         ///< "default.json"
   Shown file(const std::filesystem::path& graph);
+  /// The PNG beside a preset of one's own; `stamp` is another one when the preset was written anew.
+  Shown beside(const std::filesystem::path& preset, Key stamp);
   /// Keeps what `texture` (RGBA8, display-referred) shows as the picture of this file: a job writes it.
   void keep(unsigned texture, const std::filesystem::path& graph);
   void forget(const std::filesystem::path& graph) { files_.erase(graph.string()); }
@@ -43,7 +53,7 @@ class GraphPictures {
     ivec2 size{0};
   };
   Shown load(std::map<std::string, Entry>& in, const std::string& key, std::string_view bytes);
-  std::map<std::string, Entry> presets_, files_;
+  std::map<std::string, Entry> presets_, files_, own_;
   std::unique_ptr<Job<bool>> writing_;
   bool loaded_ = false;
 };

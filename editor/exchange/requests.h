@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "editor/exchange/panel.h"
+#include "renderer/base/math.h"
 
 namespace pileus::editor {
 
@@ -27,6 +29,18 @@ struct OpenFile {
 struct OpenPreset {
   std::string name;
 };
+/// A preset of one's own: a scene takes the document's place as OpenFile does, nodes are added, parameters go
+/// to `node`, or to a new one.
+struct UsePreset {
+  std::filesystem::path file;
+  std::string node;
+  std::optional<dvec2> at;  ///< of nodes, canvas units; nothing: the middle of the canvas
+};
+struct ChangePreset {
+  enum class How { Describe, Delete, Reveal };
+  std::filesystem::path file;
+  How how = How::Describe;
+};
 /// The same of work that an editor left behind.
 struct OpenLost {
   std::shared_ptr<const Lost> lost;
@@ -36,7 +50,8 @@ struct ShowPanel {
   Panel panel = Panel::Global;
   bool show = true;
 };
-using Request = std::variant<RunCommand, OpenFile, OpenPreset, OpenLost, ShowPanel, std::function<void()>>;
+using Request = std::variant<RunCommand, OpenFile, OpenPreset, UsePreset, ChangePreset, OpenLost, ShowPanel,
+                             std::function<void()>>;
 
 class Requests {
  public:

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // MenuItemEx, BeginMenuEx: rows with icons
 
+#include "editor/document/preset_shelf.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/bookmarks.h"
 #include "editor/graph_view/canvas.h"
@@ -74,7 +75,29 @@ bool chooseColor(Ui& ui, const std::string& current, std::string& chosen) {
   return any;
 }
 
-void nodeMenu(Ui& ui, Session& session, const std::string& name) {
+/// Those of this node's parameters, and keeping it as one.
+void presetMenu(const GraphRoom& room, const std::string& name, const std::string& type, bool one) {
+  Ui& ui = room.ui;
+  if (!beginSubmenu(ui, icon::kCloud, "Presets", "presets")) return;
+  int i = 0;
+  for (const nodes::PresetEntry& e : room.presets.entries()) {
+    if (!one || !e.fault.empty() || e.type != type) continue;
+    ImGui::PushID(i);
+    if (row(ui, "", e.name.c_str(), "", fmt::format("preset/{}", i++)))
+      ui.requests.push(UsePreset{e.file, name, {}});
+    if (!e.about.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", e.about.c_str());
+    ImGui::PopID();
+  }
+  if (one && i == 0) ImGui::TextDisabled("No preset of this node is kept yet.");
+  ImGui::Separator();
+  if (one) row(ui, icon::kSave, "presets.keep_parameters");
+  row(ui, icon::kSave, "presets.keep_nodes");
+  ImGui::EndMenu();
+}
+
+void nodeMenu(const GraphRoom& room, const std::string& name) {
+  Ui& ui = room.ui;
+  Session& session = room.session;
   const nodes::Node* node = nodes::findNode(session.document.graph(), name);
   if (!node) return ImGui::CloseCurrentPopup();
   const nodes::NodeType* type = nodes::findNodeType(node->type);
@@ -88,6 +111,7 @@ void nodeMenu(Ui& ui, Session& session, const std::string& name) {
   if (chooseColor(ui, node->color, color)) colorSelection(ui, session, color);
   row(ui, icon::kBan, "graph.bypass");
   row(ui, icon::kPower, "graph.disable");
+  presetMenu(room, name, node->type, count == 1);
   ImGui::Separator();
   row(ui, icon::kCut, "edit.cut");
   row(ui, icon::kCopy, "edit.copy");
@@ -204,7 +228,7 @@ void drawCanvasMenu(const GraphRoom& room) {
       canvasMenu(room);
       break;
     default:
-      nodeMenu(room.ui, room.session, canvas.menuHit.node);
+      nodeMenu(room, canvas.menuHit.node);
   }
   ImGui::EndPopup();
 }

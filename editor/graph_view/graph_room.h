@@ -2,6 +2,7 @@
 // The parts that the graph view shows and changes.
 namespace pileus::editor {
 
+class PresetShelf;
 struct Canvas;
 struct Clock;
 struct Session;
@@ -16,6 +17,7 @@ struct GraphRoom {
   Shown& shown;
   Settings& settings;
   Canvas& canvas;
+  PresetShelf& presets;
 };
 
 }  // namespace pileus::editor

@@ -7,6 +7,7 @@
 #include "editor/parameters/param_widgets.h"
 #include "editor/parameters/parameter_room.h"
 #include "editor/parameters/parameters.h"
+#include "editor/parameters/variation_rows.h"
 #include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
 #include "editor/toolkit/icons.h"
@@ -158,6 +159,7 @@ void drawDocumentRows(const ParameterRoom& room) {
     note(room.ui.theme, "Shown with " + room.shown.displayed.colors->description());
   note(room.ui.theme, fmt::format("{} nodes, {} links", room.session.document.graph().nodes.size(),
                                   room.session.document.graph().links.size()));
+  drawVariationRows(room);
 }
 
 }  // namespace pileus::editor

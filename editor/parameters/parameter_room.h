@@ -2,6 +2,7 @@
 // The parts that the parameter panel shows and changes.
 namespace pileus::editor {
 
+class GraphPictures;
 struct Clock;
 struct Parameters;
 struct Session;
@@ -16,6 +17,7 @@ struct ParameterRoom {
   Shown& shown;
   Settings& settings;
   Parameters& parameters;
+  GraphPictures& pictures;
 };
 
 }  // namespace pileus::editor

@@ -16,6 +16,7 @@
 #include "editor/parameters/param_edit.h"
 #include "editor/parameters/param_help.h"
 #include "editor/parameters/point_edit.h"
+#include "editor/parameters/variation_rows.h"
 #include "editor/toolkit/number_field.h"
 #include "editor/toolkit/pointer_rest.h"
 
@@ -41,6 +42,7 @@ struct Parameters {
   ImVec2 min{0, 0};                      ///< of the panel
   PointerRest rest;
   DragMemory drag;
+  VariationRows variations;
   std::optional<nodes::Settings> settingsBefore;  ///< when a drag of a setting began
   DisplayColors colors;
   ColorPicker picker;

@@ -18,7 +18,7 @@ constexpr double kCompilingMs = 400;   // a step this long waited for a driver t
 bool sameRequest(const PreviewRequest& a, const PreviewRequest& b) {
   return a.generation == b.generation && a.revision == b.revision && a.view == b.view && a.size == b.size &&
          a.freeCamera == b.freeCamera && a.folder == b.folder && a.frame == b.frame && a.layer == b.layer &&
-         a.region == b.region;
+         a.region == b.region && a.lights == b.lights && a.switches == b.switches;
 }
 
 bool makesPictures(const nodes::Node& node) {
@@ -115,6 +115,7 @@ void Preview::step(const PreviewRequest& wanted) {
   settings.frame = current_.frame;
   settings.layer = current_.layer;
   settings.region = current_.region;
+  settings.extra.lights = settings.extra.backdrops = current_.lights;
   settings.draftPixels = draftPixels_;
   settings.draftTexels = draftTexels_;
   settings.seed = seed();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "editor/picture/draft_pace.h"
+#include "editor/picture/light_switches.h"
 #include "nodes/evaluate/evaluator.h"
 #include "renderer/base/profile.h"
 
@@ -26,7 +27,9 @@ struct PreviewRequest {
   int frame = 1;
   view::PictureLayer layer;
   view::PictureRegion region;
-  double draftMs = 60;  ///< what a draft may take
+  double draftMs = 60;     ///< what a draft may take
+  bool lights = false;     ///< a layer for each light besides, in the final picture
+  LightSwitches switches;  ///< of lights that the graph has none of
 };
 
 class Preview {
@@ -72,13 +75,18 @@ class Preview {
   const DraftTimes& draftTimes() const { return draftTimes_; }
   const DraftPace& pace() const { return pace_; }
 
-  /// The last good picture; null until there is one.
-  const std::shared_ptr<const view::Picture>& picture() const { return picture_; }
+  /// The last good picture, or the mix of its layers; null until there is one.
+  const std::shared_ptr<const view::Picture>& picture() const { return mix_ ? mix_ : picture_; }
+  /// The picture as it was rendered.
+  const std::shared_ptr<const view::Picture>& rendered() const { return picture_; }
+  /// Stands for the picture as long as that is the one it was made of; null: nothing does.
+  void showMix(std::shared_ptr<const view::Picture> mix) { mix_ = std::move(mix); }
+  const std::shared_ptr<const view::Picture>& mix() const { return mix_; }
   nodes::Evaluator& evaluator() { return evaluator_; }
   const nodes::Evaluator& evaluator() const { return evaluator_; }
   /// Another document is open: what belonged to the old one is no change of it.
   void newDocument() { forgetPicture(), frame_.reset(), evaluator_.forgetNames(); }
-  void forgetPicture() { picture_.reset(), whole_.reset(); }
+  void forgetPicture() { picture_.reset(), mix_.reset(), whole_.reset(); }
 
  private:
   void begin(const PreviewRequest& wanted, bool draft);
@@ -90,7 +98,7 @@ class Preview {
   nodes::Evaluator evaluator_;
   PreviewRequest current_;
   nodes::EvalReport report_;
-  std::shared_ptr<const view::Picture> picture_;
+  std::shared_ptr<const view::Picture> picture_, mix_;
   std::shared_ptr<const view::Picture> whole_;  ///< the last one that was no draft and no part
   std::uint64_t wholes_ = 0;                    ///< how many there were
   Key around_;                                  ///< of what stands around the region that is made

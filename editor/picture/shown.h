@@ -9,6 +9,7 @@
 #include "editor/picture/compare_mode.h"
 #include "editor/picture/display_mode.h"
 #include "editor/picture/displayed.h"
+#include "editor/picture/light_mixer.h"
 #include "editor/picture/light_view.h"
 #include "editor/picture/look_around.h"
 #include "editor/picture/preview.h"
@@ -40,6 +41,8 @@ struct Shown {
   Displayed displayed;
   CompareMode compare;
   Snapshots snapshots;
+  LightMixer mixer;
+  LightSwitches lights;
   RayPick ray;
   SceneCache scene;
   std::vector<ScreenRect> places;  ///< of the picture on the screen: more than one where halves are compared

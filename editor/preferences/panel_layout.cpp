@@ -22,6 +22,7 @@ constexpr Length kLengths[] = {
     {"labHeight", &PanelLayout::labHeight, 160, 1000},
     {"logHeight", &PanelLayout::logHeight, 90, 800},
     {"timelineHeight", &PanelLayout::timelineHeight, 90, 800},
+    {"lightsHeight", &PanelLayout::lightsHeight, 90, 800},
 };
 
 struct Switch {
@@ -36,6 +37,7 @@ constexpr Switch kSwitches[] = {
     {"showLab", &PanelLayout::showLab},
     {"showLog", &PanelLayout::showLog},
     {"showTimeline", &PanelLayout::showTimeline},
+    {"showLights", &PanelLayout::showLights},
 };
 
 PanelLayout graphLayout() {

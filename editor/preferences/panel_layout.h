@@ -18,6 +18,7 @@ struct PanelLayout {
   double labHeight = 300;
   double logHeight = 200;
   double timelineHeight = 190;
+  double lightsHeight = 200;
   bool showViewport = true;
   bool showGraph = true;
   bool showParameters = true;
@@ -25,6 +26,7 @@ struct PanelLayout {
   bool showLab = false;
   bool showLog = false;
   bool showTimeline = false;
+  bool showLights = false;
 
   bool operator==(const PanelLayout&) const = default;
 };

@@ -13,6 +13,7 @@ constexpr PanelInfo kPanels[] = {
     {Panel::Lab, "lab", "Lab", &PanelLayout::showLab, kBar, kBar},
     {Panel::Log, "log", "Log", &PanelLayout::showLog, kBar, kBar},
     {Panel::Timeline, "timeline", "Timeline", &PanelLayout::showTimeline, kBar, kBar},
+    {Panel::Lights, "lights", "Lights", &PanelLayout::showLights, kBar, kBar},
 };
 
 }  // namespace

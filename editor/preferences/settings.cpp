@@ -124,6 +124,7 @@ Settings settingsFromText(std::string_view text) {
   read(j, "recentNodes", s.recentNodes);
   read(j, "recentFolders", s.recentFolders);
   read(j, "folderBookmarks", s.folderBookmarks);
+  read(j, "presetFolders", s.presetFolders);
   if (const auto it = j.find("kindFolders"); it != j.end() && it->is_object())
     for (const auto& [kind, where] : it->items())
       if (where.is_string() && s.kindFolders.size() < 32) s.kindFolders[kind] = where.get<std::string>();
@@ -150,6 +151,7 @@ std::string settingsText(const Settings& s) {
             {"recentNodes", s.recentNodes},
             {"recentFolders", s.recentFolders},
             {"folderBookmarks", s.folderBookmarks},
+            {"presetFolders", s.presetFolders},
             {"kindFolders", s.kindFolders}};
   writeLayout(j, s);
   writeViewSettings(j, s.view);

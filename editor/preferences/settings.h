@@ -37,6 +37,7 @@ struct Settings : PanelLayout {
   std::vector<std::string> recentNodes;      ///< node type ids, newest first
   std::vector<std::string> recentFolders;    ///< of the file browser, newest first
   std::vector<std::string> folderBookmarks;  ///< of the file browser, as added
+  std::vector<std::string> presetFolders;  ///< with presets beside the user's own, as added; may be read-only
   std::map<std::string, std::string>
       kindFolders;  ///< of it: where files of an ending were last taken from or put
 

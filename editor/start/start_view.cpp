@@ -7,8 +7,9 @@
 
 #include "editor/document/crash_log.h"
 #include "editor/document/graph_pictures.h"
-#include "editor/picture/shown.h"
 #include "editor/preferences/settings.h"
+#include "editor/start/preset_gallery.h"
+#include "editor/start/start_room.h"
 #include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
@@ -21,9 +22,6 @@ namespace pileus::editor {
 namespace {
 
 constexpr float kLeft = 292, kWidth = 1060, kHeight = 680;  // design pixels
-
-/// What was chosen; it runs after the view is closed.
-using Choice = std::optional<Request>;
 
 std::string ago(std::int64_t time) {
   const auto now =
@@ -38,42 +36,6 @@ std::string ago(std::int64_t time) {
 
 std::string nameOf(const Lost& lost) {
   return lost.original.empty() ? "an unnamed document" : lost.original.filename().string();
-}
-
-/// The desktop's file manager, where there is one; the path is said in any case.
-void showInFolder(Ui& ui, const fs::path& path) {
-  const std::string folder = path.parent_path().string();
-  (void)startDetached("xdg-open", {folder});
-  ui.messages.info("In " + folder);
-}
-
-void heading(const Theme& theme, const char* text) {
-  ImGui::PushFont(theme.strong);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-  ImGui::Dummy({0, theme.px(2)});
-}
-
-/// A picture with rounded corners, cut to fill its place; a cloud where there is none.
-void drawPicture(const Theme& theme, const GraphPictures::Shown& shown, ImVec2 lo, ImVec2 hi, bool grey) {
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float r = theme.px(4);
-  draw->AddRectFilled(lo, hi, palette::kPictureEmpty, r);
-  if (shown.texture == 0 || grey) {
-    ImFont* font = theme.body;
-    const float width = textWidth(font, icon::kPicture);
-    drawText(draw, font, {0.5f * (lo.x + hi.x - width), 0.5f * (lo.y + hi.y - font->FontSize)},
-             palette::kTextFaint, icon::kPicture, 100);
-    return;
-  }
-  const float place = (hi.x - lo.x) / (hi.y - lo.y), own = float(shown.size.x) / float(shown.size.y);
-  ImVec2 a(0, 0), b(1, 1);
-  if (own > place)
-    a.x = 0.5f - 0.5f * place / own, b.x = 1 - a.x;
-  else
-    a.y = 0.5f - 0.5f * own / place, b.y = 1 - a.y;
-  draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(shown.texture)), lo, hi, a,
-                        b, IM_COL32_WHITE, r);
 }
 
 bool wideButton(Ui& ui, const char* icon, const char* label, const char* trace, bool primary = false) {
@@ -150,45 +112,6 @@ void drawLeft(Ui& ui, Settings& settings, GraphPictures& pictures, const StartVi
   ImGui::Dummy({0, theme.px(2)});
   ImGui::Checkbox("Show at start", &settings.showStart);
   ui.trace.item("start/show");
-}
-
-void drawPreset(Ui& ui, GraphPictures& pictures, const PresetText& preset, float width, Choice& choice) {
-  const Theme& theme = ui.theme;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float picture = std::round(width * 9 / 16), pad = theme.px(4), height = picture + theme.px(50);
-  ImGui::PushID(preset.file);
-  if (ImGui::InvisibleButton("preset", {width, height})) choice = OpenPreset{preset.file};
-  const bool hovered = ImGui::IsItemHovered();
-  ui.trace.item(fmt::format("start/preset/{}", preset.file));
-  ImGui::PopID();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  drawPicture(theme, pictures.preset(preset.file), at, {at.x + width, at.y + picture}, false);
-  if (hovered)
-    draw->AddRect({at.x - pad / 2, at.y - pad / 2}, {at.x + width + pad / 2, at.y + picture + pad / 2},
-                  palette::kAccent, theme.px(5), 0, theme.px(2));
-  drawText(draw, theme.body, {at.x, at.y + picture + theme.px(6)}, palette::kText, preset.name, width);
-  drawText(draw, theme.small, {at.x, at.y + picture + theme.px(25)}, palette::kTextDim, preset.about, width);
-}
-
-void drawGallery(Ui& ui, GraphPictures& pictures, Choice& choice) {
-  const Theme& theme = ui.theme;
-  heading(theme, "Begin with a scene");
-  ImGui::BeginChild("gallery");
-  const float room = ImGui::GetContentRegionAvail().x - theme.space(4), gap = theme.space(4);
-  const int columns = std::clamp(static_cast<int>(room / theme.px(210)), 1, 4);
-  const float width =
-      std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, theme.space(2)});
-  ImGui::Dummy({0, theme.px(1)});
-  ImGui::Indent(theme.px(2));
-  int i = 0;
-  for (const PresetText& preset : galleryTexts()) {
-    if (i++ % columns != 0) ImGui::SameLine();
-    drawPreset(ui, pictures, preset, width, choice);
-  }
-  ImGui::Unindent(theme.px(2));
-  ImGui::PopStyleVar();
-  ImGui::EndChild();
 }
 
 /// Unsaved work and crash reports, above everything else.
@@ -272,27 +195,33 @@ void takeFindings(Ui& ui, StartView& start) {
 
 }  // namespace
 
+void showInFolder(Ui& ui, const fs::path& path) {
+  const std::string folder = path.parent_path().string();
+  (void)startDetached("xdg-open", {folder});
+  ui.messages.info("In " + folder);
+}
+
 const std::vector<PresetText>& galleryTexts() {
   static const std::vector<PresetText> texts = {
-      {"default.json", "Broken cumulus", "A low sun, one cloud in the other's shadow"},
-      {"cumulus.json", "One cumulus", "Seen close, all orders of scattering"},
-      {"dawn-cumulus.json", "Dawn", "Cumulus just after the sun has risen"},
-      {"god-rays.json", "God rays", "A broken deck, haze, a deep shadow map"},
-      {"anvil-at-sunset.json", "Anvil at sunset", "A storm of eleven kilometres"},
-      {"storm-front.json", "Storm front", "A shelf and the towers behind it"},
-      {"sea-of-clouds.json", "Sea of clouds", "Stratocumulus from above, a low sun"},
-      {"mares-tails.json", "Mares' tails", "Cirrus against the evening"},
-      {"valley-fog.json", "Valley fog", "Ridges out of a bank of stratus"},
-      {"city-fog.json", "City fog", "Street lamps, a map for each"},
-      {"light-shafts.json", "Light shafts", "A spot light through a cloud"},
-      {"two-lights.json", "Two lights", "Magenta and teal, a map for each"},
-      {"smoke-column.json", "Smoke column", "A tower of ash, late in the day"},
-      {"ink-in-water.json", "Ink in water", "Absorption before a bright wall"},
-      {"nebula.json", "Nebula", "Three stars in coloured dust"},
-      {"shadows-across-gaps.json", "Across gaps", "Four shapes in each other's shadow"},
-      {"paper-figure-2.json", "The paper's figure 2", "Two media far apart, three maps"},
-      {"paper-fourier.json", "As in the paper", "Fourier coefficients, 4 and 8"},
-      {"compare-representations.json", "Four shadows", "One scene, four representations"},
+      {"default.json", "Broken cumulus", "A low sun, one cloud in the other's shadow", "cloud, evening"},
+      {"cumulus.json", "One cumulus", "Seen close, all orders of scattering", "cloud, morning"},
+      {"dawn-cumulus.json", "Dawn", "Cumulus just after the sun has risen", "cloud, morning"},
+      {"god-rays.json", "God rays", "A broken deck, haze, a deep shadow map", "cloud, shafts"},
+      {"anvil-at-sunset.json", "Anvil at sunset", "A storm of eleven kilometres", "cloud, storm, evening"},
+      {"storm-front.json", "Storm front", "A shelf and the towers behind it", "cloud, storm"},
+      {"sea-of-clouds.json", "Sea of clouds", "Stratocumulus from above, a low sun", "cloud, morning"},
+      {"mares-tails.json", "Mares' tails", "Cirrus against the evening", "cloud, evening"},
+      {"valley-fog.json", "Valley fog", "Ridges out of a bank of stratus", "fog, morning"},
+      {"city-fog.json", "City fog", "Street lamps, a map for each", "fog, night, spot"},
+      {"light-shafts.json", "Light shafts", "A spot light through a cloud", "shafts, spot"},
+      {"two-lights.json", "Two lights", "Magenta and teal, a map for each", "spot, colour"},
+      {"smoke-column.json", "Smoke column", "A tower of ash, late in the day", "smoke, evening"},
+      {"ink-in-water.json", "Ink in water", "Absorption before a bright wall", "ink, colour"},
+      {"nebula.json", "Nebula", "Three stars in coloured dust", "night, colour"},
+      {"shadows-across-gaps.json", "Across gaps", "Four shapes in each other's shadow", "measure"},
+      {"paper-figure-2.json", "The paper's figure 2", "Two media far apart, three maps", "measure"},
+      {"paper-fourier.json", "As in the paper", "Fourier coefficients, 4 and 8", "measure"},
+      {"compare-representations.json", "Four shadows", "One scene, four representations", "measure"},
   };
   return texts;
 }
@@ -306,7 +235,9 @@ void beginStart(const Settings& settings, StartView& start, bool fileGiven) {
 
 void openStart(StartView& start) { start.open = start.appearing = true; }
 
-void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& start) {
+void drawStart(const StartRoom& room) {
+  Ui& ui = room.ui;
+  StartView& start = room.start;
   takeFindings(ui, start);
   if (!start.open || ui.modals.anyOpen() || ui.modals.browser.isOpen()) return;
   const Theme& theme = ui.theme;
@@ -328,11 +259,11 @@ void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& s
   Choice choice;
   drawNotices(ui, start, choice);
   ImGui::BeginChild("left", {theme.px(kLeft), 0});
-  drawLeft(ui, settings, pictures, start, choice);
+  drawLeft(ui, room.settings, room.pictures, start, choice);
   ImGui::EndChild();
   ImGui::SameLine(0, theme.space(8));
   ImGui::BeginChild("right", {0, 0});
-  drawGallery(ui, pictures, choice);
+  drawGallery(room, choice);
   ImGui::EndChild();
   const ImVec2 lo = ImGui::GetWindowPos(), hi = {lo.x + size.x, lo.y + size.y};
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsMouseHoveringRect(lo, hi, false);

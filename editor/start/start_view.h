@@ -11,8 +11,8 @@
 
 namespace pileus::editor {
 
-class GraphPictures;
 struct Settings;
+struct StartRoom;
 struct Ui;
 
 /// What a job finds out before anything is shown.
@@ -28,6 +28,7 @@ struct StartView {
   bool fileGiven = false;  ///< what was asked for is shown: unsaved work is a notice, not this view
   StartFindings found;
   std::unique_ptr<Job<StartFindings>> search;
+  std::string query, tag;  ///< what the gallery shows: "" = all
 };
 
 /// At the start of the program: looks for unsaved work and crash reports. With a file that was given the view
@@ -37,13 +38,16 @@ void beginStart(const Settings& settings, StartView& start, bool fileGiven);
 /// Help > Start view.
 void openStart(StartView& start);
 /// Once a frame.
-void drawStart(Ui& ui, Settings& settings, GraphPictures& pictures, StartView& start);
+void drawStart(const StartRoom& room);
+/// The desktop's file manager, where there is one; the path is said in any case.
+void showInFolder(Ui& ui, const std::filesystem::path& path);
 
-/// "default.json" -> "Broken cumulus": the gallery's name of a preset, and one line about it.
+/// "default.json" -> "Broken cumulus": the gallery's name of a preset, one line about it, and its tags.
 struct PresetText {
   const char* file;
   const char* name;
   const char* about;
+  const char* tags = "";  ///< "cloud, evening"
 };
 /// In the order of the gallery.
 const std::vector<PresetText>& galleryTexts();

@@ -24,13 +24,14 @@ struct Modals {
   std::vector<Missing> missing;       ///< not empty: list these files that are not there
   std::string errorTitle, errorText;  ///< not empty: an error that needs reading
   bool shortcuts = false, about = false;
+  bool preset = false;  ///< the words of a preset are asked for
   Questions questions;  ///< any others, one after the other
   FileBrowser browser;
 
   /// Is there one of them, the file dialog aside?
   bool anyOpen() const {
     return afterUnsaved || !faults.empty() || !missing.empty() || !errorText.empty() || shortcuts || about ||
-           questions.open();
+           preset || questions.open();
   }
 };
 

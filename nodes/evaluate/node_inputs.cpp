@@ -119,7 +119,8 @@ Key contentKey(const NodeType& type, const NodeInputs& in, const EvalSettings& s
         .add(settings.layer.light)
         .add(settings.extra.depth)
         .add(settings.extra.lights)
-        .add(settings.extra.orders);
+        .add(settings.extra.orders)
+        .add(settings.extra.backdrops);
     hash.add(r.min.x).add(r.min.y).add(r.max.x).add(r.max.y);
     if (!r.whole()) hash.add(settings.around);
   }

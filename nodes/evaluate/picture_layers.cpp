@@ -9,6 +9,7 @@
 #include "nodes/declare/value.h"
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/flatten.h"
+#include "nodes/graph/graph_groups.h"
 
 namespace pileus::nodes {
 namespace {
@@ -105,46 +106,74 @@ std::string layerName(std::string_view node) {
   return out;
 }
 
-void nameLightLayers(image::Image& picture, const Evaluator& evaluator, const Graph& graph,
-                     const std::string& output) {
+std::vector<std::string> lightNodes(const Evaluator& evaluator, const Graph& graph,
+                                    const std::string& output) {
   const Graph flat = flatten(graph).graph;
   const std::string render = pictureNode(flat, output);
-  if (render.empty()) return;
+  if (render.empty()) return {};
   const auto owners = Trace(evaluator, flat).arriving(render, "lights");
-  if (!owners) return;
-  const auto isLight = [&](std::size_t i) { return picture.layer(fmt::format("light{}", i + 1)) != nullptr; };
-  std::size_t count = 0;
-  for (const LightsOf& owner : *owners) count += owner.count;
-  if (count == 0 || !isLight(count - 1) || isLight(count)) return;
+  std::vector<std::string> all;
+  if (owners)
+    for (const LightsOf& owner : *owners) all.insert(all.end(), owner.count, owner.node);
+  return all;
+}
 
+std::string lightGroup(const Graph& root, const std::string& path) {
+  const Node* node = findNodeAt(root, path);
+  if (!node) return path;
+  const auto it = node->params.find("group");
+  const auto* name = it == node->params.end() ? nullptr : std::get_if<std::string>(&it->second);
+  return name && !name->empty() ? *name : path;
+}
+
+namespace {
+
+/// Adds what a layer holds; alpha is that of the picture in all of them.
+void addLayer(image::Layer& sum, const image::Layer& one) {
+  for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+    if (sum.channels != 4 || i % 4 != 3) sum.pixels[i] += one.pixels[i];
+}
+
+/// Light layers by whose they are, in the order they come first in.
+std::vector<image::Layer> layersByOwner(const image::Image& picture, const std::vector<std::string>& owners) {
   std::vector<image::Layer> named;
-  std::vector<std::string> nodes;  // of each of them
-  std::size_t next = 0;
-  for (const LightsOf& owner : *owners) {
-    for (std::size_t k = 0; k < owner.count; ++k) {
-      const image::Layer& one = *picture.layer(fmt::format("light{}", ++next));
-      const auto known = std::find(nodes.begin(), nodes.end(), owner.node);
-      if (known == nodes.end()) {
-        nodes.push_back(owner.node);
-        named.push_back(one);
-        continue;
-      }
-      image::Layer& sum = named[static_cast<std::size_t>(known - nodes.begin())];
-      for (std::size_t i = 0; i < sum.pixels.size(); ++i)  // alpha is that of the picture in all of them
-        if (sum.channels != 4 || i % 4 != 3) sum.pixels[i] += one.pixels[i];
-    }
+  std::vector<std::string> seen;
+  const auto take = [&](const std::string& owner, const image::Layer& one) {
+    const auto known = std::find(seen.begin(), seen.end(), owner);
+    if (known != seen.end()) return addLayer(named[static_cast<std::size_t>(known - seen.begin())], one);
+    seen.push_back(owner);
+    named.push_back(one);
+  };
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    take(owners[i], *picture.layer(fmt::format("light{}", i + 1)));
+    if (const auto* seenOf = picture.layer(fmt::format("backdrop{}", i + 1))) take(owners[i], *seenOf);
   }
   std::set<std::string> used;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    const std::string base = layerName(nodes[i]);
+    const std::string base = layerName(seen[i]);
     named[i].name = base;
     for (int n = 2; !used.insert(named[i].name).second; ++n) named[i].name = fmt::format("{}_{}", base, n);
   }
+  return named;
+}
+
+}  // namespace
+
+void nameLightLayers(image::Image& picture, const Evaluator& evaluator, const Graph& graph,
+                     const std::string& output) {
+  std::vector<std::string> owners = lightNodes(evaluator, graph, output);
+  const auto isLight = [&](std::size_t i) { return picture.layer(fmt::format("light{}", i + 1)) != nullptr; };
+  const std::size_t count = owners.size();
+  if (count == 0 || !isLight(count - 1) || isLight(count)) return;
+  if (wantedLayers(graph, output).backdrops)
+    for (std::string& owner : owners) owner = lightGroup(graph, owner);
+  std::vector<image::Layer> named = layersByOwner(picture, owners);
   std::vector<image::Layer> layers;
   for (image::Layer& layer : picture.layers) {
     const bool first = layer.name == "light1";
     bool light = false;
-    for (std::size_t i = 0; i < count && !light; ++i) light = layer.name == fmt::format("light{}", i + 1);
+    for (std::size_t i = 1; i <= count && !light; ++i)
+      light = layer.name == fmt::format("light{}", i) || layer.name == fmt::format("backdrop{}", i);
     if (!light) layers.push_back(std::move(layer));
     if (first) std::move(named.begin(), named.end(), std::back_inserter(layers));
   }
@@ -160,7 +189,8 @@ view::ExtraLayers wantedLayers(const Graph& graph, const std::string& output) {
     const ParamValue value = spec ? paramValue(*node, *spec) : ParamValue(false);
     return std::get_if<bool>(&value) && std::get<bool>(value);
   };
-  return {on("depth"), on("lights"), on("orders")};
+  const bool groups = on("light_groups");
+  return {on("depth"), groups || on("lights"), on("orders"), groups};
 }
 
 }  // namespace pileus::nodes

@@ -371,7 +371,8 @@ Graph Reader::read(const Json& json) {
       continue;
     }
     graph.unknown[key] = value.dump();
-    if (key != "notes") warning(key, "unknown member; kept as it is");
+    if (key != "notes" && !(whole && (key == "preset" || key == "variations")))
+      warning(key, "unknown member; kept as it is");
   }
   return graph;
 }

@@ -34,6 +34,7 @@ struct LocalLight {
   double intensity = 100;
   LightColor color = {};
   double radius = 0;
+  std::string group = {};
 
   scene::Light made(scene::LightKind kind) const {
     scene::Light light;
@@ -79,6 +80,9 @@ void describeRadius(Describe<In, LocalLightOut>& d) {
       .help(
           "Closer than this the irradiance grows no further; 0: a true point. Shadows stay those of a "
           "point.");
+  d.in("group", &In::local, &LocalLight::group)
+      .forEditor()
+      .help("Lights of one group are balanced together in the light mixer. Empty: it stands for itself.");
   d.out("light", &LocalLightOut::light).help("One light without a shadow.");
 }
 

@@ -18,6 +18,7 @@ struct In {
   double exposure = 0;
   Color tint{vec3(1.0f)};
   bool visible = true;
+  std::string group;
 };
 
 struct Out {
@@ -55,6 +56,9 @@ void describe(Describe<In, Out>& d) {
       .soft(0, 1)
       .help("Multiplies the radiance; linear, in the working space.");
   d.in("visible", &In::visible).help("Is it seen behind the media? Alpha stays that of the media.");
+  d.in("group", &In::group)
+      .forEditor()
+      .help("Lights of one group are balanced together in the light mixer. Empty: it stands for itself.");
   d.out("light", &Out::light).help("Its suns, and the rest as one light.");
 }
 

@@ -21,6 +21,7 @@ struct In {
   double ozone = 1;
   double ground_albedo = 0.3;
   bool visible = true;
+  std::string group;
 };
 
 struct Out {
@@ -68,6 +69,9 @@ void describe(Describe<In, Out>& d) {
       .label("Ground albedo")
       .help("What the ground sends back of its light: 0.06 the sea, 0.2 land, 0.9 snow.");
   d.in("visible", &In::visible).help("Is it seen behind the media? Alpha stays that of the media.");
+  d.in("group", &In::group)
+      .forEditor()
+      .help("Lights of one group are balanced together in the light mixer. Empty: it stands for itself.");
   d.out("light", &Out::light).help("Sun and sky.");
   d.out("sun", &Out::sun).help("The sun alone.");
   d.out("sky", &Out::sky).help("The sky and the ground alone.");

@@ -11,6 +11,7 @@ struct In {
   LightColor color;
   double angle = 0;
   int disc_samples = 8;
+  std::string group;
 };
 
 struct Out {
@@ -39,6 +40,9 @@ void describe(Describe<In, Out>& d) {
           "Suns that stand for the disc where 'Angle' is above 0, each with a shadow of its own: steps of "
           "the "
           "penumbra.");
+  d.in("group", &In::group)
+      .forEditor()
+      .help("Lights of one group are balanced together in the light mixer. Empty: it stands for itself.");
   d.out("light", &Out::light).help("One sun without a shadow, or as many as stand for its disc.");
 }
 

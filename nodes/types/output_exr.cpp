@@ -13,6 +13,7 @@ struct In {
   bool depth = false;
   bool lights = false;
   bool orders = false;
+  bool light_groups = false;
 };
 
 struct Out {};
@@ -47,6 +48,12 @@ void describe(Describe<In, Out>& d) {
       .help(
           "Adds single.R ..., light that was scattered once (and what is seen of lights and emission), and "
           "multiple.R ..., what the picture has beside that. Their sum is the picture.");
+  d.in("light_groups", &In::light_groups)
+      .label("Layers by group")
+      .help(
+          "Adds a layer for each group of lights, by its name, and one for each light without a group: what "
+          "they light and what is seen of them. With emission.R ... where something emits, their sum is the "
+          "picture. Instead of the light layers.");
 }
 
 Result<Out> evaluate(const In&, EvalContext&) { return Out{}; }

@@ -34,6 +34,27 @@ struct Pass : view::VolumeRenderPass {
 };
 using Passes = std::vector<std::unique_ptr<Pass>>;
 
+/// What emits, and what is seen of each environment, apart from each other.
+void addBackdrops(Passes& passes, view::RenderScene scene) {
+  scene.options.layer = {view::PictureLayer::Kind::Emission, 0};
+  std::vector<std::shared_ptr<const scene::Environment>> seen;
+  for (shadow::ShadowedLight& l : scene.lights) {
+    seen.push_back(l.light.environment && l.light.environment->visible ? l.light.environment : nullptr);
+    if (!seen.back()) continue;
+    auto hidden = std::make_shared<scene::Environment>(*seen.back());
+    hidden->visible = false;
+    l.light.environment = std::move(hidden);
+  }
+  if (view::emits(scene)) passes.push_back(std::make_unique<Pass>("emission", scene));
+  std::erase_if(scene.volumes, [](const volume::Instance& i) { return volume::emits(i); });
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i]) continue;
+    view::RenderScene one = scene;
+    one.lights[i].light.environment = seen[i];
+    passes.push_back(std::make_unique<Pass>(fmt::format("backdrop{}", i + 1), std::move(one)));
+  }
+}
+
 /// The passes of the layers that are asked for.
 void addLayers(Passes& passes, const view::RenderScene& scene, const view::ExtraLayers& wanted) {
   const auto add = [&](const std::string& name, view::PictureLayer layer) {
@@ -46,7 +67,10 @@ void addLayers(Passes& passes, const view::RenderScene& scene, const view::Extra
   if (wanted.orders) add("single", {Kind::Single, 0}), add("multiple", {Kind::Multiple, 0});
   for (std::size_t i = 0; wanted.lights && i < scene.lights.size(); ++i)
     add(fmt::format("light{}", i + 1), {Kind::Light, int(i)});
-  if (wanted.lights && (view::emits(scene) || view::backdropOf(scene))) add("emission", {Kind::Emission, 0});
+  if (wanted.lights && wanted.backdrops)
+    addBackdrops(passes, scene);
+  else if (wanted.lights && (view::emits(scene) || view::backdropOf(scene)))
+    add("emission", {Kind::Emission, 0});
 }
 
 void describe(Describe<In, Out>& d) {

@@ -31,11 +31,10 @@ void append(void* context, void* data, int size) {
 
 }  // namespace
 
-Result<void> writePng(const std::filesystem::path& path, ivec2 size, const float* rgba) {
+Result<std::string> encodePng(ivec2 size, const float* rgba) {
   // 8-bit rows are addressed with int by stb.
   if (size.x < 1 || size.y < 1 || std::int64_t(size.x) * size.y > (std::int64_t(1) << 28))
-    return fail(Code::Arguments, "{}: a picture of {} x {} pixels cannot be written", path.string(), size.x,
-                size.y);
+    return fail(Code::Arguments, "a picture of {} x {} pixels cannot be written", size.x, size.y);
   const std::size_t width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
   std::vector<unsigned char> bytes(width * height * 3);
   for (std::size_t y = 0; y < height; ++y)
@@ -51,8 +50,14 @@ Result<void> writePng(const std::filesystem::path& path, ivec2 size, const float
     }
   std::string file;
   if (!stbi_write_png_to_func(append, &file, size.x, size.y, 3, bytes.data(), size.x * 3))
-    return fail(Code::Internal, "{}: the picture could not be encoded as PNG", path.string());
-  return writeFileAtomic(path, file);
+    return fail(Code::Internal, "the picture could not be encoded as PNG");
+  return file;
+}
+
+Result<void> writePng(const std::filesystem::path& path, ivec2 size, const float* rgba) {
+  const Result<std::string> file = encodePng(size, rgba);
+  if (!file) return fail(file.error().code, "{}: {}", path.string(), file.error().message);
+  return writeFileAtomic(path, *file);
 }
 
 }  // namespace pileus::image

@@ -26,10 +26,12 @@ struct PictureLayer {
   bool ofAll() const { return kind == Kind::Beauty || kind == Kind::Single || kind == Kind::Multiple; }
 };
 
-/// Layers made beside the beauty, for files.
+/// Layers made beside the beauty, for files and for mixing.
 struct ExtraLayers {
   bool depth = false, lights = false;  ///< lights: and the emission, where something emits
   bool orders = false;                 ///< light that was scattered once, and more than once
+  /// Lights: what is seen of each environment is a layer apart ("backdrop1" of light 1), not of the emission.
+  bool backdrops = false;
   bool operator==(const ExtraLayers&) const = default;
 };
 

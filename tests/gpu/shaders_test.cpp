@@ -41,6 +41,7 @@ const gl::Defines kWidest = {{"METRIC_FLOATS", 8},
                              {"ACTIVE", 4},
                              {"OVERFLOW", 1},
                              {"LIGHTS", 0},
+                             {"PARTS", 8},
                              {"SHAPES", 7}};
 
 /// Units of the uniforms of these types that are left in a program.

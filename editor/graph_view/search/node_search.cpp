@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "editor/document/preset_shelf.h"
 #include "editor/document/session.h"
 #include "editor/graph_view/canvas.h"
 #include "editor/graph_view/canvas_menus.h"
@@ -30,8 +31,12 @@ namespace {
 constexpr char kPopup[] = "##node search";
 constexpr float kWidth = 380, kRows = 9;
 
+constexpr char kPresets[] = "Preset";
+
 void addChosen(const GraphRoom& room, const SearchItem& item) {
   Ui& ui = room.ui;
+  if (!item.preset.empty())
+    return ui.requests.push(UsePreset{item.preset, {}, dvec2(room.canvas.search.place)});
   Session& session = room.session;
   NodeSearch& search = room.canvas.search;
   const nodes::Graph& graph = session.document.graph();
@@ -88,14 +93,16 @@ void drawRow(const GraphRoom& room, const SearchItem& item, int row, bool chosen
   if (chosen) draw->AddRectFilled(at, {at.x + width, at.y + height}, palette::kAccentDim, theme.px(4));
   draw->AddRectFilled({at.x + theme.px(6), at.y + theme.px(8)},
                       {at.x + theme.px(9), at.y + height - theme.px(8)},
-                      mixed(categoryColor(item.type->category), palette::kHighlight, 0.2f), theme.px(2));
+                      mixed(categoryColor(categoryOf(item)), palette::kHighlight, 0.2f), theme.px(2));
   const float x = at.x + theme.space(4), space = width - theme.space(6);
-  const float categoryWidth = textWidth(theme.small, item.type->category);
+  const std::string& category = categoryOf(item);
+  const float categoryWidth = textWidth(theme.small, category);
   drawText(draw, theme.body, {x, at.y + theme.px(3)}, palette::kTextStrong, item.label,
            space - categoryWidth - theme.space(2));
   drawText(draw, theme.small, {at.x + width - categoryWidth - theme.space(2), at.y + theme.px(4)},
-           palette::kTextFaint, item.type->category, categoryWidth + 1);
-  drawText(draw, theme.small, {x, at.y + theme.px(21)}, palette::kTextDim, item.type->help, space);
+           palette::kTextFaint, category, categoryWidth + 1);
+  drawText(draw, theme.small, {x, at.y + theme.px(21)}, palette::kTextDim,
+           item.preset.empty() ? item.type->help : item.about, space);
 }
 
 void moveChosen(NodeSearch& search, int count) {
@@ -155,6 +162,27 @@ void drawField(Ui& ui, Canvas& canvas) {
 
 }  // namespace
 
+const std::string& categoryOf(const SearchItem& item) {
+  static const std::string presets = kPresets;
+  return item.preset.empty() ? item.type->category : presets;
+}
+
+std::vector<SearchItem> presetItems(const PresetShelf& shelf) {
+  std::vector<SearchItem> items;
+  for (const nodes::PresetEntry& e : shelf.entries()) {
+    if (!e.fault.empty() || e.kind == nodes::PresetKind::Document) continue;
+    SearchItem item;
+    if (e.kind == nodes::PresetKind::Parameters && !(item.type = nodes::findNodeType(e.type))) continue;
+    const std::string what = item.type ? item.type->label : fmt::format("{} nodes", e.nodes);
+    item.label = e.name;
+    item.preset = e.file;
+    item.about = e.about.empty() ? what : what + ": " + e.about;
+    item.words = nodes::presetTagList(e.tags) + " " + what + " " + kPresets;
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
 std::vector<SearchItem> searchItems(const std::optional<LinkFilter>& filter) {
   std::vector<SearchItem> items;
   for (const nodes::NodeType& type : nodes::allNodeTypes()) {
@@ -191,11 +219,13 @@ std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_vie
     const SearchItem& item = items[static_cast<std::size_t>(i)];
     const auto label = fuzzyScore(query, item.label);
     // Keywords and the category find a node too, but a name that matches comes first.
-    const auto other = fuzzyScore(query, item.type->keywords + " " + item.type->category);
+    const auto other =
+        fuzzyScore(query, item.preset.empty() ? item.type->keywords + " " + item.type->category : item.words);
     if (!label && !(other && query.size() > 1)) continue;
     const int score = std::max(label.value_or(-1000), other && query.size() > 1 ? *other / 2 - 10 : -1000);
-    const auto age =
-        static_cast<std::size_t>(std::find(recent.begin(), recent.end(), item.type->id) - recent.begin());
+    const auto found =
+        item.preset.empty() ? std::find(recent.begin(), recent.end(), item.type->id) : recent.end();
+    const auto age = static_cast<std::size_t>(found - recent.begin());
     ranks.push_back({i, score, age});
   }
   std::stable_sort(ranks.begin(), ranks.end(), [](const Rank& a, const Rank& b) {
@@ -245,12 +275,18 @@ void drawSearch(const GraphRoom& room) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.space(2), theme.space(2)});
   search.open = ImGui::BeginPopup(kPopup, ImGuiWindowFlags_NoMove);
   if (search.open) {
+    // A link that was dropped is for nodes that it fits.
+    if (!search.link && search.shelf != room.presets.revision()) {
+      search.shelf = room.presets.revision();
+      std::erase_if(search.items, [](const SearchItem& item) { return !item.preset.empty(); });
+      for (SearchItem& item : presetItems(room.presets)) search.items.push_back(std::move(item));
+    }
     drawField(ui, canvas);
     drawCategoryChips(ui, canvas);
     std::vector<int> ranked = rankItems(search.items, search.query, settings.recentNodes);
     if (!search.category.empty())
       std::erase_if(ranked, [&](int i) {
-        return search.items[static_cast<std::size_t>(i)].type->category != search.category;
+        return categoryOf(search.items[static_cast<std::size_t>(i)]) != search.category;
       });
     moveChosen(search, static_cast<int>(ranked.size()));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

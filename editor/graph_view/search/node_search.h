@@ -1,6 +1,7 @@
 #pragma once
 // The search that adds nodes: fuzzy, recent types first; after a link was dropped on empty canvas it lists
 // only what fits, socket by socket.
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 
 namespace pileus::editor {
 
+class PresetShelf;
 struct Canvas;
 struct GraphRoom;
 struct Session;
@@ -20,13 +22,21 @@ struct LinkFilter {
 };
 
 struct SearchItem {
-  const nodes::NodeType* type = nullptr;
-  std::string socket;  ///< which socket to link; "" without a filter
-  std::string label;   ///< "Extinction Map", or "Extinction Map: Light" where several sockets fit
+  const nodes::NodeType* type = nullptr;  ///< null: a preset of several nodes
+  std::string socket;                     ///< which socket to link; "" without a filter
+  std::string label;  ///< "Extinction Map", or "Extinction Map: Light" where several sockets fit
+  std::filesystem::path preset = {};  ///< of one's own, of nodes or of a type's parameters; "" = none
+  std::string about = {};             ///< of the preset
+  std::string words = {};             ///< that find the preset besides its name
 };
+
+/// "Shadow"; presets are one of their own.
+const std::string& categoryOf(const SearchItem& item);
 
 /// Every node type (and socket) that fits, in menu order.
 std::vector<SearchItem> searchItems(const std::optional<LinkFilter>& filter);
+/// Presets of nodes and parameters; damaged ones and those of unknown types are left out.
+std::vector<SearchItem> presetItems(const PresetShelf& shelf);
 /// Indices into `items`, best first: by score, with an empty query recent types (newest first) before the
 /// others.
 std::vector<int> rankItems(const std::vector<SearchItem>& items, std::string_view query,
@@ -41,6 +51,7 @@ struct NodeSearch {
   std::string category;  ///< "" = all
   int chosen = 0;
   bool scrollToChosen = false;
+  unsigned shelf = 0;  ///< the revision of the presets in `items`
   std::vector<SearchItem> items;
 };
 

@@ -30,8 +30,7 @@ void walk(NodeSearch& search, const std::vector<std::string>& categories) {
 std::vector<std::string> searchCategories(const Canvas& canvas) {
   std::vector<std::string> all;
   for (const SearchItem& item : canvas.search.items)
-    if (std::find(all.begin(), all.end(), item.type->category) == all.end())
-      all.push_back(item.type->category);
+    if (std::find(all.begin(), all.end(), categoryOf(item)) == all.end()) all.push_back(categoryOf(item));
   return all;
 }
 

@@ -19,5 +19,7 @@
 #define UNIT_SHADOW_HALF_BITS 8
 #define UNIT_SCENE 9  // records and lists: residency/scene_table.h
 #define UNIT_PAGES 10
+#define UNIT_MIX 5  // and those behind it: layers that are added up, no volumes beside
+#define MIX_PARTS 8  // of them at a time
 
 #define IMAGE_TARGET 0

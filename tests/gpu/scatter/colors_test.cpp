@@ -1,5 +1,5 @@
-// Extinction that differs from channel to channel, in pictures, through shadows of all kinds: against unbiased
-// paths.
+// Extinction that differs from channel to channel, in pictures, through shadows of all kinds: against
+// unbiased paths.
 #include <cmath>
 
 #include "tests/support/noise_grid.h"

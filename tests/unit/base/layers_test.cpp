@@ -43,8 +43,8 @@ const std::map<std::string, std::set<std::string>> kMayUse = {
 
 /// Rooms of the editor that show something: none sees another.
 const std::set<std::string> kRooms = {"editor/graph_view",    "editor/viewport", "editor/parameters",
-                                      "editor/timeline_view", "editor/lab",      "editor/status",
-                                      "editor/start"};
+                                      "editor/timeline_view", "editor/lab",      "editor/lights",
+                                      "editor/status",        "editor/start"};
 /// What the rooms stand on, from the ground up; each with what it may use of the others.
 const std::map<std::string, std::set<std::string>> kGround = {
     {"editor/exchange", {}},

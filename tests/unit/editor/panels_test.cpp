@@ -15,11 +15,11 @@ Theme scaled(float scale) {
 }
 
 constexpr Panel kAll[] = {Panel::Viewport, Panel::Graph, Panel::Parameters, Panel::Scope,
-                          Panel::Lab,      Panel::Log,   Panel::Timeline};
+                          Panel::Lab,      Panel::Log,   Panel::Timeline,   Panel::Lights};
 
 PanelLayout everything() {
   PanelLayout all;
-  all.showScope = all.showLab = all.showLog = all.showTimeline = true;
+  all.showScope = all.showLab = all.showLog = all.showTimeline = all.showLights = true;
   return all;
 }
 

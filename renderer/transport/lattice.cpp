@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "renderer/shaders/shared/scatter.h"
-
 namespace pileus::transport {
 
 Lattice latticeOver(const Box3& box, int most) {
@@ -52,7 +50,7 @@ void limitBackward(Cells& all) {
 }
 
 void thinDense(Cells& all) {
-  const float most = float(SCATTER_CELL_DEPTH / all.lattice.cell);
+  const float most = float(kCellDepth / all.lattice.cell);
   for (Cell& c : all.cells) {
     const float deepest = std::max({c.extinction.x, c.extinction.y, c.extinction.z});
     if (c.extinction.w > 0 || deepest <= most) continue;

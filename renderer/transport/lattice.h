@@ -58,7 +58,9 @@ void markOpenFaces(Cells& cells);
 /// one: as much absorption and transport extinction, the cosine -1/2.
 void limitBackward(Cells& cells);
 
-/// Media of more than SCATTER_CELL_DEPTH of optical depth per cell become so deep, with the same albedo, mean
+/// Optical depth over a cell of what is as dense as lattices can tell.
+inline constexpr double kCellDepth = 2;
+/// Media of more than that per cell become so deep, with the same albedo, mean
 /// cosine and, where they emit, the same radiance: what is dense sends back the same however dense it is, and
 /// its skin, in which that is decided, is then as wide as cells can tell.
 void thinDense(Cells& cells);

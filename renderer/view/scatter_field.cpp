@@ -44,6 +44,7 @@ void ScatterField::bind(gl::Program& program, const dvec3& origin) const {
     program.set(fmt::format("scatterCells[{}]", i).c_str(), ivec4(cells, layer));
     if (i < solutions_.size()) layer += 3 * cells.z;
   }
+  program.set("scatterCellDepth", float(transport::kCellDepth));
   program.set("scatterCount", std::max(int(solutions_.size()), 1));
 }
 

@@ -6,6 +6,7 @@
 
 layout(binding = UNIT_SCATTER) uniform sampler3D scatterMoments;
 uniform int scatterCount;
+uniform float scatterCellDepth;
 uniform vec4 scatterMin[SCATTER_LATTICES];    // xyz: relative to the pass's origin; w: edge of a cell [m]
 uniform ivec4 scatterCells[SCATTER_LATTICES]; // xyz: cells; w: first layer of the texture
 
@@ -38,11 +39,11 @@ vec4 scatterMoment(ScatterPlace at, int channel) {
   return textureLod(scatterMoments, texel / vec3(textureSize(scatterMoments, 0)), 0.0);
 }
 
-// How much longer a way through media of that extinction is in the lattice: there none has more than
-// SCATTER_CELL_DEPTH per cell.
+// How much longer a way through media of that extinction is in the lattice: there none has a greater optical
+// depth than scatterCellDepth per cell.
 float scatterStretch(int lattice, vec3 extinction) {
   float depth = max(max(extinction.r, extinction.g), extinction.b) * scatterMin[lattice].w;
-  return max(depth / SCATTER_CELL_DEPTH, 1.0);
+  return max(depth / scatterCellDepth, 1.0);
 }
 
 // What of it is scattered at p, in that lattice, into direction d, per metre: by scaled scattering, and that

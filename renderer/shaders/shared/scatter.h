@@ -9,4 +9,3 @@
 #define PEAK_DEPTHS 24
 #define PEAK_DEPTH 3.0
 #define SCATTER_SAMPLES 8   // of a cell: 2^3; also its faces, where it is solid or dense
-#define SCATTER_CELL_DEPTH 2.0  // optical depth over a cell of what is as dense as lattices can tell

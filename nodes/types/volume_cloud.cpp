@@ -108,9 +108,9 @@ struct Bakes {
   Bake coarse, full;
 };
 
-Bake startBake(const volume::CloudParams& params) {
+Bake startBake(const volume::CloudParams& params, volume::Cores cores) {
   return looseJob<volume::GridPtr>(
-      [params](JobControl& control) { return volume::bakeCloud(params, control); });
+      [params, cores](JobControl& control) { return volume::bakeCloud(params, control, cores); });
 }
 
 Out placed(const volume::GridPtr& grid) {
@@ -149,13 +149,14 @@ Result<Out> evaluate(const In& in, EvalContext& ctx) {
   volume::CloudParams quarter = params;
   quarter.resolution = std::max(kLeastResolution, in.resolution / 4);
   auto& bakes = ctx.state<Bakes>();
-  if (!bakes.coarse) bakes.coarse = startBake(quarter);
+  if (!bakes.coarse) bakes.coarse = startBake(quarter, volume::Cores::All);
   if (!bakes.coarse->done()) {
     ctx.pending(0.05 * bakes.coarse->progress(), "Baking the cloud, coarse");
     return Out{};
   }
   if (!bakes.coarse->result()) return bakes.coarse->result().error();
-  if (!bakes.full) bakes.full = startBake(params);
+  // Drafts of the coarse one are drawn meanwhile.
+  if (!bakes.full) bakes.full = startBake(params, volume::Cores::LeaveOne);
   const bool done = bakes.full->done();
   if (done && !bakes.full->result()) return bakes.full->result().error();
   const volume::GridPtr& grid = done ? *bakes.full->result() : *bakes.coarse->result();

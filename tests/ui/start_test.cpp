@@ -93,8 +93,8 @@ TEST(Start, GalleryRecentFilesAndTour) {
 
   // A preset.
   reopen();
-  ui.click("start/preset/shadows-across-gaps.json");
-  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("Ball A"); }));
+  ui.click("start/preset/cumulus.json");
+  EXPECT_TRUE(ui.waitFor([](const json& t) { return t["document"]["nodes"].contains("Cloud Medium"); }));
 
   // The tour, forward, back and to its end.
   reopen();

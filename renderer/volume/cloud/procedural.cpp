@@ -1,6 +1,8 @@
 #include "renderer/volume/cloud/procedural.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -111,7 +113,11 @@ Fill gatherBlock(const Bake& bake, ivec3 lo, float* out) {
 
 }  // namespace
 
-Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control) {
+Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control, Cores cores) {
+  if (cores == Cores::LeaveOne) {
+    tbb::task_arena arena(std::max(tbb::info::default_concurrency() - 1, 1));
+    return arena.execute([&] { return bakeCloud(params, control, Cores::All); });
+  }
   PILEUS_CHECK(check(params));
   const double longest = std::max({params.size.x, params.size.y, params.size.z});
   const double voxel = longest / params.resolution;

@@ -48,7 +48,9 @@ struct CloudParams {
 
 /// The same field at a lower resolution is a low-pass of that at a higher one, so a coarse bake may stand in
 /// for a fine one. Coverage 0 is an empty grid. Errors: Arguments (a parameter out of range, a top that is
-/// not above the base), Cancelled (within 50 ms).
-Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control);
+/// not above the base), Cancelled (within 50 ms). On all cores, or all but one (if there is more than one),
+/// for what goes on beside it.
+enum class Cores { All, LeaveOne };
+Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control, Cores cores = Cores::All);
 
 }  // namespace pileus::volume

@@ -235,9 +235,9 @@ TEST(Gizmo, OnAPreset) {
   UiSession ui({1440, 900}, {std::string(PILEUS_SOURCE_DIR) + "/presets/two-lights.json"});
   ASSERT_TRUE(ui.running()) << ui.log();
   ASSERT_TRUE(ui.waitFor(
-      [](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Teal"); }, 60));
-  ui.click("light/Teal");
-  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Teal"); }));
+      [](const json& t) { return t["notes"].contains("picture") && t["rects"].contains("light/Sky"); }, 60));
+  ui.click("light/Sky");
+  ASSERT_TRUE(ui.waitFor([](const json& t) { return selected(t, "Sky"); }));
   if (wantsScreenshots()) ui.finishPicture();
   ui.screenshot("75-preset-light");
   ui.click("header/Cloud");

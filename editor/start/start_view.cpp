@@ -203,10 +203,10 @@ void showInFolder(Ui& ui, const fs::path& path) {
 
 const std::vector<PresetText>& galleryTexts() {
   static const std::vector<PresetText> texts = {
-      {"default.json", "Broken cumulus", "A low sun, one cloud in the other's shadow", "cloud, evening"},
+      {"default.json", "Broken cumulus", "One cloud in another's shadow", "cloud, evening"},
       {"cumulus.json", "One cumulus", "Seen close, all orders of scattering", "cloud, morning"},
       {"dawn-cumulus.json", "Dawn", "Cumulus just after the sun has risen", "cloud, morning"},
-      {"god-rays.json", "God rays", "A broken deck, haze, a deep shadow map", "cloud, shafts"},
+      {"god-rays.json", "God rays", "A broken deck, haze, deep maps", "cloud, shafts"},
       {"anvil-at-sunset.json", "Anvil at sunset", "A storm of eleven kilometres", "cloud, storm, evening"},
       {"storm-front.json", "Storm front", "A shelf and the towers behind it", "cloud, storm"},
       {"sea-of-clouds.json", "Sea of clouds", "Stratocumulus from above, a low sun", "cloud, morning"},

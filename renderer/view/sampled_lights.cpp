@@ -72,6 +72,9 @@ KeptSuns SampledLights::kept() const {
 }
 
 bool SampledLights::takeKept() {
+  // Shadows by channel are this one's own.
+  for (std::size_t i = 0; i < all_.size(); ++i)
+    if (all_[i].made && !strata_[i]) return false;
   if (!kept_ || kept_->of != kept().of) return false;
   auto next = kept_->lights.begin();
   for (std::size_t i = 0; i < all_.size(); ++i) {

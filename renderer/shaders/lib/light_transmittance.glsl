@@ -97,10 +97,14 @@ Passage passage(int l, vec3 p, vec3 d, float ds) {
   return kSunPassage;
 }
 
-// E(p) [W/m^2] of gray media, of light l on a surface that faces it, shadows included.
-vec3 lightArriving(int l, vec3 p, bool inMedium, out vec3 towards) {
+// Of light l at p: E [W/m^2] on a surface that faces it, past solids but not through the media, and what of it
+// these let through.
+struct Arriving {
+  vec3 towards, open;
+  float through;
+};
+Arriving lightArriving(int l, vec3 p, bool inMedium) {
   Incidence i = unshadowed(l, p);
-  towards = i.towards;
-  float transmittance = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, inMedium);
-  return i.irradiance * (transmittance * solidVisibility(l, p, i.towards, i.distance));
+  float through = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, inMedium);
+  return Arriving(i.towards, i.irradiance * solidVisibility(l, p, i.towards, i.distance), through);
 }

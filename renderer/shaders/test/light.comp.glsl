@@ -8,12 +8,13 @@ uniform int count, solidCount;
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
-  vec3 p = inputs[2 * i].xyz, towards, normal = vec3(0.0);
+  vec3 p = inputs[2 * i].xyz, normal = vec3(0.0);
   Incidence unblocked = unshadowed(0, p);
   outputs[5 * i] = vec4(unblocked.towards, unblocked.distance);
   outputs[5 * i + 1] = vec4(unblocked.irradiance, lightTransmittance(0, placeAt(p)));
   float visible = solidVisibility(0, p, unblocked.towards, unblocked.distance);
-  outputs[5 * i + 2] = vec4(lightArriving(0, p, true, towards), visible);
+  Arriving a = lightArriving(0, p, true);
+  outputs[5 * i + 2] = vec4(a.open * a.through, visible);
   int solid = -1;
   float t = kNoHit;
   if (solidCount > 0) t = nearestSolid(solidCount, p, inputs[2 * i + 1].xyz, solid, normal);

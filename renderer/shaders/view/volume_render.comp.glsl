@@ -86,11 +86,9 @@ vec3 arrivingIfDue(int l, vec3 p, vec3 normal, out vec3 once) {
   vec3 arriving = vec3(0.0);
   once = vec3(0.0);
   if (lightIsDue(l)) {
-    Incidence i = unshadowed(l, p);
-    float reaches = lightTransmittanceTowards(l, placeAt(p), i.towards, i.distance, false);
-    float facing = max(dot(normal, i.towards), 0.0);
-    vec3 open = i.irradiance * (solidVisibility(l, p, i.towards, i.distance) * facing);
-    arriving = open * counted(reaches), once = open * clearOf(reaches);
+    Arriving a = lightArriving(l, p, false);
+    vec3 open = a.open * max(dot(normal, a.towards), 0.0);
+    arriving = open * counted(a.through), once = open * clearOf(a.through);
     lightDone(l);
   }
   once = paused ? vec3(0.0) : once;

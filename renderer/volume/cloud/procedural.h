@@ -46,11 +46,12 @@ struct CloudParams {
   int resolution = 192;   ///< voxels along the longest axis of the box, 16..1024
 };
 
+/// All, or all but one (if there is more than one) for what goes on beside it.
+enum class Cores { All, LeaveOne };
+
 /// The same field at a lower resolution is a low-pass of that at a higher one, so a coarse bake may stand in
 /// for a fine one. Coverage 0 is an empty grid. Errors: Arguments (a parameter out of range, a top that is
-/// not above the base), Cancelled (within 50 ms). On all cores, or all but one (if there is more than one),
-/// for what goes on beside it.
-enum class Cores { All, LeaveOne };
+/// not above the base), Cancelled (within 50 ms).
 Result<GridPtr> bakeCloud(const CloudParams& params, JobControl& control, Cores cores = Cores::All);
 
 }  // namespace pileus::volume

@@ -97,27 +97,35 @@ int canvasRow(int nodes, double fps) {
   return code;
 }
 
-/// From a move of the pointer on a slider to the swap of a frame with a picture of the new value.
-std::vector<double> dragTimes(Editor& editor, dvec2 at) {
+/// What is dragged, how far a step, and whether that edits the document.
+struct Drag {
+  dvec2 at;
+  double step = 4;  ///< pixels
+  bool edits = true;
+};
+
+/// From a move of the pointer to the swap of a frame with a picture of the new value.
+std::vector<double> dragTimes(Editor& editor, const Drag& drag) {
   std::vector<double> times;
   int settling = kSettlingFrames;
-  editor.window.push({Kind::Move, at});
+  editor.window.push({Kind::Move, drag.at});
   runFrame(editor, settling);
-  editor.window.push({Kind::Button, at, 0, true});
+  editor.window.push({Kind::Button, drag.at, 0, true});
   runFrame(editor, settling);
   for (int i = 1; i <= kDragSteps; ++i) {
     const auto before = editor.shown.preview.picture();
     const std::uint64_t revision = editor.session.document.revision();
-    editor.window.push({Kind::Move, at + dvec2(4 * i, 0)});
+    editor.window.push({Kind::Move, drag.at + dvec2(drag.step * i, 0)});
     const Stopwatch clock;
-    while (clock.ms() < 3000 &&
-           (editor.shown.preview.picture() == before || editor.session.document.revision() == revision)) {
+    while (clock.ms() < 3000 && (editor.shown.preview.picture() == before ||
+                                 (drag.edits && editor.session.document.revision() == revision))) {
       settling = kSettlingFrames;
       runFrame(editor, settling);
     }
+    if (!drag.edits) runFrame(editor, settling);  // a mix is drawn by the frame behind
     times.push_back(clock.ms());
   }
-  editor.window.push({Kind::Button, at + dvec2(4 * kDragSteps, 0), 0, false});
+  editor.window.push({Kind::Button, drag.at + dvec2(drag.step * kDragSteps, 0), 0, false});
   runFrame(editor, settling);
   return times;
 }
@@ -170,7 +178,7 @@ int turnRow() {
     settle(editor, 120);
     dvec2 at;
     if (!middleOf(editor, "viewport", at)) return log::error("bench: there is no viewport");
-    const std::vector<double> times = dragTimes(editor, at);
+    const std::vector<double> times = dragTimes(editor, {.at = at});
     std::printf(
         "| drag that turns an environment to new picture, default preset | %.0f ms (worst %.0f) | 150 ms |\n",
         median(times), *std::max_element(times.begin(), times.end()));
@@ -179,30 +187,6 @@ int turnRow() {
   std::error_code ec;
   std::filesystem::remove(*file, ec);
   return code == 0 && !measured ? static_cast<int>(Code::Internal) : code;
-}
-
-/// From a move of the pointer on a group's exposure to the swap of a frame with the new mix.
-std::vector<double> mixTimes(Editor& editor, dvec2 at) {
-  std::vector<double> times;
-  int settling = kSettlingFrames;
-  editor.window.push({Kind::Move, at});
-  runFrame(editor, settling);
-  editor.window.push({Kind::Button, at, 0, true});
-  runFrame(editor, settling);
-  for (int i = 1; i <= kDragSteps; ++i) {
-    const auto before = editor.shown.preview.picture();
-    editor.window.push({Kind::Move, at + dvec2(3 * i, 0)});
-    const Stopwatch clock;
-    while (clock.ms() < 3000 && editor.shown.preview.picture() == before) {
-      settling = kSettlingFrames;
-      runFrame(editor, settling);
-    }
-    runFrame(editor, settling);  // it is drawn by the next one
-    times.push_back(clock.ms());
-  }
-  editor.window.push({Kind::Button, at + dvec2(3 * kDragSteps, 0), 0, false});
-  runFrame(editor, settling);
-  return times;
 }
 
 /// A scene of two groups of lights, whose picture fills a window of 1280 x 720.
@@ -221,7 +205,7 @@ int mixRow() {
         !middleOf(editor, ("mixer/exposure/" + lights.front().channel).c_str(), at))
       return log::error("bench: the mixer has no layers: {}", editor.shown.mixer.error);
     const ivec2 size = editor.shown.preview.rendered()->size;
-    const std::vector<double> times = mixTimes(editor, at);
+    const std::vector<double> times = dragTimes(editor, {.at = at, .step = 3, .edits = false});
     std::printf(
         "| drag of a group's exposure in the light mixer to the new picture, %d x %d | %.0f ms (worst "
         "%.0f) | 33 ms |\n",
@@ -251,14 +235,14 @@ int defaultRows() {
   const int code = withEditor({}, [&](Editor& editor) {
     editor.trace.collect(true);
     settle(editor, 120);
-    editor.session.document.select({"Sun"});
+    editor.session.document.select({"Sky"});
     settle(editor, 5);
     dvec2 at;
     if (!middleOf(editor, "param/elevation", at)) {
-      log::error("bench: the default preset has no Sun.elevation in view");
+      log::error("bench: the default preset has no Sky.elevation in view");
       return;
     }
-    const std::vector<double> times = dragTimes(editor, at);
+    const std::vector<double> times = dragTimes(editor, {.at = at});
     std::printf("| slider drag to new picture, default preset | %.0f ms (worst %.0f) | 100 ms |\n",
                 median(times), *std::max_element(times.begin(), times.end()));
     const double refining = truthTime(editor);

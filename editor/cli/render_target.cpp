@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "renderer/base/file.h"
+#include "renderer/base/text.h"
 
 namespace fs = std::filesystem;
 
@@ -38,12 +39,7 @@ std::optional<Token> lastToken(const std::string& name, const std::regex& patter
   return last;
 }
 
-std::string endingOf(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
+std::string endingOf(const fs::path& path) { return lowered(path.extension().string()); }
 
 }  // namespace
 

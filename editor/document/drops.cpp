@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "editor/exchange/messages.h"
+#include "renderer/base/text.h"
 #include "renderer/image/exr.h"
 
 namespace fs = std::filesystem;
@@ -63,9 +64,7 @@ Result<volume::VdbFit> firstFit(const fs::path& path, JobControl& control, std::
 }  // namespace
 
 DropKind dropKind(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lowered(path.extension().string());
   if (ending == ".json") return DropKind::Graph;
   if (ending == ".vdb") return DropKind::Volume;
   if (ending == ".exr") return DropKind::Still;

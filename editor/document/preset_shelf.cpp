@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/preferences/settings.h"
+#include "renderer/base/text.h"
 
 namespace fs = std::filesystem;
 
@@ -11,13 +12,6 @@ namespace pileus::editor {
 namespace {
 
 constexpr std::size_t kMostUndone = 100;
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
 
 }  // namespace
 
@@ -28,7 +22,7 @@ std::vector<fs::path> presetFolders(const Settings& settings) {
 }
 
 bool presetFits(std::string_view text, std::string_view query) {
-  const std::string all = lower(text), words = lower(query);
+  const std::string all = lowered(text), words = lowered(query);
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t end = std::min(words.find(' ', at), words.size());
     if (all.find(words.substr(at, end - at)) == all.npos) return false;
@@ -90,11 +84,10 @@ std::optional<Result<nodes::PresetChange>> PresetShelf::poll() {
   if (!changing_ || !changing_->done()) return std::nullopt;
   Result<nodes::PresetChange> result = changing_->result();
   changing_.reset();
-  if (result && !std::exchange(undoing_, false)) {
+  if (result && !result->undone) {
     done_.push_back(*result);
     if (done_.size() > kMostUndone) done_.erase(done_.begin());
   }
-  undoing_ = false;
   refresh(folders_);
   return result;
 }
@@ -103,11 +96,11 @@ void PresetShelf::undo() {
   if (!canUndo()) return;
   const nodes::PresetChange last = done_.back();
   done_.pop_back();
-  undoing_ = true;
   change([last]() -> Result<nodes::PresetChange> {
     PILEUS_CHECK(nodes::undoPresetChange(last));
     nodes::PresetChange undone = last;
     undone.label = "Undone: " + last.label;
+    undone.undone = true;
     return undone;
   });
 }

@@ -56,7 +56,7 @@ class PresetShelf {
   std::vector<std::filesystem::path> folders_;
   std::vector<nodes::PresetChange> done_;  ///< oldest first
   unsigned revision_ = 0;
-  bool again_ = false, read_ = false, undoing_ = false;
+  bool again_ = false, read_ = false;
   std::unique_ptr<Job<std::vector<nodes::PresetEntry>>> reading_;
   std::unique_ptr<Job<nodes::PresetChange>> changing_;
 };

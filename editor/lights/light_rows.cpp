@@ -21,16 +21,6 @@
 namespace pileus::editor {
 namespace {
 
-/// A small button that is lit while it is on.
-bool lamp(Ui& ui, const char* letter, bool on, ImU32 ink, const std::string& trace, const char* help) {
-  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ink);
-  const bool pressed = ImGui::Button(letter, {ui.theme.px(26), 0});
-  if (on) ImGui::PopStyleColor();
-  ui.trace.item(trace);
-  if (ImGui::IsItemHovered()) tooltip(ui.theme, help);
-  return pressed;
-}
-
 /// The shadow nodes that a light goes through, by their names.
 std::string shadowsOf(const nodes::Graph& root, const LightAt& light) {
   const nodes::NodeAt at = nodes::nodeAt(light.path);
@@ -100,10 +90,10 @@ void drawColor(const LightsRoom& room, const LightAt& light) {
   const nodes::ParamSpec* spec = type && !params.color.empty() ? type->param(params.color) : nullptr;
   dvec3 color = spec ? std::get<dvec3>(nodes::paramValue(*light.node, *spec, room.clock.frame)) : dvec3(1);
   color /= std::max({color.x, color.y, color.z, 1e-9});
-  const auto shown = [](double c) { return static_cast<float>(std::pow(std::clamp(c, 0.0, 1.0), 1 / 2.2)); };
   const float height = ImGui::GetFrameHeight();
-  ImGui::ColorButton("color", {shown(color.x), shown(color.y), shown(color.z), 1},
-                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, {height, height});
+  const ImVec4 shown = ImGui::ColorConvertU32ToFloat4(displayColor(room.shown, room.panel.colors, color));
+  ImGui::ColorButton("color", shown, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                     {height, height});
   if (ImGui::IsItemClicked()) select(room, light.path);
   if (ImGui::IsItemHovered())
     tooltip(room.ui.theme,
@@ -125,20 +115,19 @@ void drawLightRows(const LightsRoom& room) {
   ImGui::TableSetupColumn("Shadow", ImGuiTableColumnFlags_WidthStretch, 2.2f);
   ImGui::TableHeadersRow();
   LightSwitches& switches = room.shown.lights;
-  const std::vector<LightAt> lights = room.panel.lights;
-  for (const LightAt& light : lights) {
+  for (const LightAt& light : room.panel.lights) {
     ImGui::PushID(light.path.c_str());
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const auto in = [&](const std::vector<std::string>& list) {
       return std::find(list.begin(), list.end(), light.path) != list.end();
     };
-    if (lamp(ui, "M", in(switches.muted), palette::kWarning, "lights/mute/" + light.path,
-             "Mute: the viewport renders as if it gave nothing. The document stays."))
+    if (litButton(ui, "M", in(switches.muted), palette::kWarning, "lights/mute/" + light.path,
+                  "Mute: the viewport renders as if it gave nothing. The document stays."))
       toggle(switches.muted, light.path);
     ImGui::SameLine(0, theme.px(4));
-    if (lamp(ui, "S", in(switches.solo), palette::kAccentDim, "lights/solo/" + light.path,
-             "Solo: it, and others that are solo, alone in the viewport."))
+    if (litButton(ui, "S", in(switches.solo), palette::kAccentDim, "lights/solo/" + light.path,
+                  "Solo: it, and others that are solo, alone in the viewport."))
       toggle(switches.solo, light.path);
     ImGui::TableNextColumn();
     drawColor(room, light);

@@ -82,10 +82,21 @@ void drawBar(const LightsRoom& room) {
 
 }  // namespace
 
+bool litButton(Ui& ui, const char* letter, bool on, unsigned ink, const std::string& trace,
+               const char* help) {
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ink);
+  const bool pressed = ImGui::Button(letter, {ui.theme.px(26), 0});
+  if (on) ImGui::PopStyleColor();
+  ui.trace.item(trace);
+  if (ImGui::IsItemHovered()) tooltip(ui.theme, help);
+  return pressed;
+}
+
 void drawLights(const LightsRoom& room, ImVec2 min, ImVec2 max) {
   Ui& ui = room.ui;
   const Theme& theme = ui.theme;
   follow(room);
+  updateDisplayColors(room.shown, room.panel.colors);
   ImGui::GetWindowDrawList()->AddRectFilled(min, max, palette::kPanel);
   ui.trace.rect("lights", min, max);
   const float bar = theme.px(kBar), pad = theme.space(2);

@@ -21,18 +21,6 @@ std::vector<std::string> channelsOf(const LightsPanel& panel) {
   return all;
 }
 
-bool toggleButton(Ui& ui, const char* letter, bool& on, ImU32 ink, const std::string& trace,
-                  const char* help) {
-  const bool lit = on;
-  if (lit) ImGui::PushStyleColor(ImGuiCol_Button, ink);
-  const bool pressed = ImGui::Button(letter, {ui.theme.px(26), 0});
-  if (lit) ImGui::PopStyleColor();
-  if (pressed) on = !on;
-  ui.trace.item(trace);
-  if (ImGui::IsItemHovered()) tooltip(ui.theme, help);
-  return pressed;
-}
-
 void drawExposure(Ui& ui, const std::string& channel, ChannelMix& mix) {
   NumberField field;
   field.hardMin = -40, field.hardMax = 40, field.softMin = -6, field.softMax = 6;
@@ -78,10 +66,13 @@ void drawMixerRows(const LightsRoom& room) {
     ImGui::PushID(channel.c_str());
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    toggleButton(ui, "M", mix.muted, palette::kWarning, "mixer/mute/" + channel, "Mute this group, at once.");
+    if (litButton(ui, "M", mix.muted, palette::kWarning, "mixer/mute/" + channel,
+                  "Mute this group, at once."))
+      mix.muted = !mix.muted;
     ImGui::SameLine(0, theme.px(4));
-    toggleButton(ui, "S", mix.solo, palette::kAccentDim, "mixer/solo/" + channel,
-                 "Solo: this group, and others that are solo, alone.");
+    if (litButton(ui, "S", mix.solo, palette::kAccentDim, "mixer/solo/" + channel,
+                  "Solo: this group, and others that are solo, alone."))
+      mix.solo = !mix.solo;
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(channel.c_str());

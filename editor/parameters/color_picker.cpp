@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "editor/parameters/display_color.h"
 #include "editor/parameters/parameters.h"
+#include "editor/picture/display_color.h"
 #include "editor/toolkit/draw_text.h"
 #include "editor/toolkit/icons.h"
 #include "editor/toolkit/theme.h"
@@ -191,7 +191,7 @@ bool colorSwatch(const Theme& theme, Shown& shown, Parameters& parameters, const
   const bool clicked = ImGui::InvisibleButton(id, size);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float r = theme.px(4);
-  draw->AddRectFilled(at, end, mixed ? palette::kField : displayColor(shown, parameters, color), r);
+  draw->AddRectFilled(at, end, mixed ? palette::kField : displayColor(shown, parameters.colors, color), r);
   if (mixed) {
     const float y = std::round(0.5f * (at.y + end.y));
     draw->AddLine({at.x + 0.35f * size.x, y}, {end.x - 0.35f * size.x, y}, palette::kText, theme.px(1));

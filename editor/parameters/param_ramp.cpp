@@ -6,10 +6,10 @@
 #include "editor/document/session.h"
 #include "editor/parameters/color_picker.h"
 #include "editor/parameters/data_behind.h"
-#include "editor/parameters/display_color.h"
 #include "editor/parameters/param_widgets.h"
 #include "editor/parameters/parameter_room.h"
 #include "editor/parameters/parameters.h"
+#include "editor/picture/display_color.h"
 #include "editor/picture/shown.h"
 #include "editor/toolkit/theme.h"
 #include "editor/toolkit/ui.h"
@@ -151,7 +151,8 @@ void drawStops(const ParamWidget& w, const Ramp& ramp, const Lanes& lanes) {
     const float x = std::round(lanes.x(ramp.stops[i].at)), r = theme.px(5), y = lanes.handles;
     const ImVec2 tag[5] = {
         {x, y}, {x + r, y + r}, {x + r, lanes.bottom}, {x - r, lanes.bottom}, {x - r, y + r}};
-    draw->AddConvexPolyFilled(tag, 5, displayColor(w.room.shown, w.room.parameters, ramp.stops[i].color));
+    draw->AddConvexPolyFilled(tag, 5,
+                              displayColor(w.room.shown, w.room.parameters.colors, ramp.stops[i].color));
     draw->AddPolyline(tag, 5, on ? palette::kSelect : palette::kTextDim, ImDrawFlags_Closed,
                       theme.px(on ? 2 : 1));
     w.room.ui.trace.rect("stop/" + w.target.spec->id + "/" + std::to_string(i), {x - r, y},

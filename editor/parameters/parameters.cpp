@@ -296,7 +296,7 @@ void drawParameters(const ParameterRoom& room, ImVec2 min, ImVec2 max) {
   if (!panel.pinned.empty() && !room.session.document.graph().nodes.contains(panel.pinned))
     panel.pinned.clear();
   updateRest(panel.rest, min, max);
-  updateDisplayColors(room.shown, room.parameters);
+  updateDisplayColors(room.shown, room.parameters.colors);
   const ImVec2 pad = {theme.space(3), theme.space(3)};
   ImGui::SetCursorScreenPos({min.x + pad.x, min.y + pad.y});
   ImGui::BeginChild("parameters", {max.x - min.x - 1.5f * pad.x, max.y - min.y - 1.5f * pad.y}, false,

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "editor/parameters/color_picker.h"
-#include "editor/parameters/display_color.h"
 #include "editor/parameters/eyedropper.h"
 #include "editor/parameters/file_state.h"
 #include "editor/parameters/grid_names.h"
@@ -17,6 +16,7 @@
 #include "editor/parameters/param_help.h"
 #include "editor/parameters/point_edit.h"
 #include "editor/parameters/variation_rows.h"
+#include "editor/picture/display_color.h"
 #include "editor/toolkit/number_field.h"
 #include "editor/toolkit/pointer_rest.h"
 

@@ -42,6 +42,8 @@ void follow(const ParameterRoom& room) {
   Result<std::vector<nodes::Variation>> all = nodes::variationsOf(document.root());
   rows.error = all ? "" : all.error().message;
   rows.all = all ? std::move(*all) : std::vector<nodes::Variation>();
+  rows.pictures.clear();
+  for (const nodes::Variation& v : rows.all) rows.pictures.push_back(pictureKey(v));
   rows.at = std::clamp(rows.at, 0.0, std::max(0.0, static_cast<double>(rows.all.size()) - 1));
 }
 
@@ -59,12 +61,12 @@ void blend(const ParameterRoom& room, double at, bool dragging) {
   if (dragging) room.shown.preview.touch();
 }
 
-void drawThumbnail(const ParameterRoom& room, const nodes::Variation& v, ImVec2 size) {
+void drawThumbnail(const ParameterRoom& room, const std::filesystem::path& picture, ImVec2 size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 hi = {at.x + size.x, at.y + size.y};
   draw->AddRectFilled(at, hi, palette::kPictureEmpty, room.ui.theme.px(3));
-  const GraphPictures::Shown shown = room.pictures.file(pictureKey(v));
+  const GraphPictures::Shown shown = room.pictures.file(picture);
   if (shown.texture != 0)
     draw->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(shown.texture)), at, hi,
                           {0, 0}, {1, 1}, IM_COL32_WHITE, room.ui.theme.px(3));
@@ -76,14 +78,14 @@ bool drawRow(const ParameterRoom& room, std::size_t i) {
   Ui& ui = room.ui;
   const Theme& theme = ui.theme;
   VariationRows& rows = room.parameters.variations;
-  std::vector<nodes::Variation> all = rows.all;
+  const nodes::Variation& variation = rows.all[i];
   ImGui::PushID(static_cast<int>(i));
   const std::string trace = fmt::format("variation/{}", i);
-  drawThumbnail(room, all[i], {theme.px(80), theme.px(45)});
+  drawThumbnail(room, rows.pictures[i], {theme.px(80), theme.px(45)});
   ImGui::SameLine(0, theme.space(2));
   ImGui::BeginGroup();
   const bool naming = rows.naming == i;
-  std::string name = naming ? rows.name : all[i].name;
+  std::string name = naming ? rows.name : variation.name;
   ImGui::SetNextItemWidth(-1);
   ImGui::InputText("##name", &name);
   ui.trace.item(trace + "/name");
@@ -91,7 +93,8 @@ bool drawRow(const ParameterRoom& room, std::size_t i) {
   if (ImGui::IsItemActive()) rows.naming = i, rows.name = name;
   if (naming && ImGui::IsItemDeactivated()) {
     rows.naming = ~std::size_t(0);
-    if (!name.empty() && name != all[i].name) {
+    if (!name.empty() && name != variation.name) {
+      std::vector<nodes::Variation> all = rows.all;
       all[i].name = name;
       keep(room, all, "Rename variation");
       changed = true;
@@ -110,12 +113,14 @@ bool drawRow(const ParameterRoom& room, std::size_t i) {
     room.session.document.endMerge();
     changed = true;
   } else if (button("Replace", "replace", "Takes the values and the picture as they are now.")) {
+    std::vector<nodes::Variation> all = rows.all;
     all[i].values = nodes::valuesOf(room.session.document.root());
     room.pictures.keep(room.shown.displayed.texture, pictureKey(all[i]));
     keep(room, all, "Replace " + all[i].name);
     changed = true;
   } else if (button("Delete", "delete", "Undo brings it back.")) {
-    const std::string gone = all[i].name;
+    std::vector<nodes::Variation> all = rows.all;
+    const std::string gone = variation.name;
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
     keep(room, all, "Delete " + gone);
     changed = true;

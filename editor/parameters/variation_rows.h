@@ -1,6 +1,7 @@
 #pragma once
 // Variations of the document as rows of the parameter panel: taken, put back, blended by a slider.
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct VariationRows {
   std::string error;                                           ///< why they cannot be read; "" = they can
   std::uint64_t generation = 0, revision = ~std::uint64_t(0);  ///< it was then
   std::string text;                                            ///< they were read from
+  std::vector<std::filesystem::path> pictures;                 ///< where their pictures are kept
   double at = 0;                                               ///< the slider, 0 .. count - 1
   std::size_t naming = ~std::size_t(0);
   std::string name;  ///< typed for that one

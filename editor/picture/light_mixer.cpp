@@ -131,17 +131,6 @@ bool LightMixer::writes() const {
   return std::any_of(channels.begin(), channels.end(), [](const auto& c) { return c.second.writes(); });
 }
 
-bool LightSwitches::off(const std::string& path) const {
-  const auto in = [&](const std::vector<std::string>& list) {
-    return std::find(list.begin(), list.end(), path) != list.end();
-  };
-  return in(muted) || (!solo.empty() && !in(solo));
-}
-
-void toggle(std::vector<std::string>& list, const std::string& path) {
-  if (std::erase(list, path) == 0) list.push_back(path);
-}
-
 LightParams lightParams(const std::string& type) {
   if (type == "light.sun") return {"irradiance", "color"};
   if (type == "light.point" || type == "light.spot") return {"intensity", "color"};

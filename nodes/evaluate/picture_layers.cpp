@@ -10,6 +10,7 @@
 #include "nodes/evaluate/evaluator.h"
 #include "nodes/evaluate/flatten.h"
 #include "nodes/graph/graph_groups.h"
+#include "renderer/base/text.h"
 
 namespace pileus::nodes {
 namespace {
@@ -88,20 +89,10 @@ std::string layerName(std::string_view node) {
   static constexpr std::array<std::string_view, 14> kTaken{
       "rgb",     "single", "multiple", "rgba", "alpha", "depth", "emission",
       "forward", "motion", "mask",     "all",  "none",  "other", "backward"};
-  std::string out;
-  for (const char c : node) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80;
-    if (plain)
-      out += c;
-    else if (!out.empty() && out.back() != '_')
-      out += '_';
-  }
-  while (!out.empty() && out.back() == '_') out.pop_back();
-  std::string lower = out;
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string out = plainName(node, '_');
   if (out.empty()) return "light";
   if (std::isdigit(static_cast<unsigned char>(out[0]))) return "light_" + out;
-  if (out.size() == 1 || std::find(kTaken.begin(), kTaken.end(), lower) != kTaken.end())
+  if (out.size() == 1 || std::find(kTaken.begin(), kTaken.end(), lowered(out)) != kTaken.end())
     return out + "_light";
   return out;
 }

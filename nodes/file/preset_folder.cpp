@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "renderer/base/file.h"
+#include "renderer/base/text.h"
 
 namespace fs = std::filesystem;
 
@@ -27,23 +28,9 @@ fs::path whole(const fs::path& path) {
 
 /// "Dusk / low sun" -> "dusk-low-sun": what any file system takes.
 std::string fileName(std::string_view name) {
-  std::string out;
-  for (const char c : name) {
-    const bool upper = c >= 'A' && c <= 'Z';
-    if (upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-      out += upper ? static_cast<char>(c - 'A' + 'a') : c;
-    else if (!out.empty() && out.back() != '-')
-      out += '-';
-  }
-  while (!out.empty() && out.back() == '-') out.pop_back();
+  std::string out = lowered(plainName(name, '-'));
   if (out.size() > 60) out.resize(60);
   return out.empty() ? "preset" : out;
-}
-
-bool sameName(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 bool mayWrite(const fs::path& path) { return ::access(path.c_str(), W_OK) == 0; }
@@ -125,10 +112,13 @@ Result<fs::path> reserve(const fs::path& folder, const std::string& name) {
   return fail(Code::Input, "{}: no file name is free for '{}'", folder.string(), name);
 }
 
-/// A preset of the folder with this name, other than `but`; "" = none.
-std::string taken(const fs::path& folder, const std::string& name, const fs::path& but = {}) {
+/// Its words are as they must be, and no other preset of the folder than `but` has its name.
+Result<void> checkFits(const Preset& preset, const fs::path& folder, const fs::path& but = {}) {
+  PILEUS_CHECK(checkPresetName(preset.name));
+  PILEUS_CHECK(checkPresetAbout(preset.about));
   for (const PresetEntry& e : presetsIn(folder))
-    if (e.fault.empty() && e.name == name && e.file != but) return e.file.string();
+    if (e.fault.empty() && e.name == preset.name && e.file != but)
+      return fail(Code::Arguments, "there is a preset '{}' already: {}", preset.name, e.file.string());
   return {};
 }
 
@@ -181,10 +171,7 @@ Result<LoadedPreset> loadPreset(const fs::path& file, const fs::path& folder) {
 
 Result<PresetChange> savePreset(const fs::path& folder, const Preset& preset, const std::string& png,
                                 const fs::path& from) {
-  PILEUS_CHECK(checkPresetName(preset.name));
-  PILEUS_CHECK(checkPresetAbout(preset.about));
-  if (const std::string there = taken(folder, preset.name); !there.empty())
-    return fail(Code::Arguments, "there is a preset '{}' already: {}", preset.name, there);
+  PILEUS_CHECK(checkFits(preset, folder));
   std::error_code ec;
   fs::create_directories(folder, ec);
   PILEUS_TRY(const fs::path file, reserve(whole(folder), fileName(preset.name)));
@@ -196,15 +183,12 @@ Result<PresetChange> savePreset(const fs::path& folder, const Preset& preset, co
     removePair(file);
     return written.error();
   }
-  return PresetChange{"Saved the preset " + preset.name, file, {}, false, fileStamp(file)};
+  return PresetChange{"Saved the preset " + preset.name, file, {}, false, false, fileStamp(file)};
 }
 
 Result<PresetChange> replacePreset(const fs::path& file, const Preset& preset, const std::string& png,
                                    const fs::path& from) {
-  PILEUS_CHECK(checkPresetName(preset.name));
-  PILEUS_CHECK(checkPresetAbout(preset.about));
-  if (const std::string there = taken(file.parent_path(), preset.name, file); !there.empty())
-    return fail(Code::Arguments, "there is a preset '{}' already: {}", preset.name, there);
+  PILEUS_CHECK(checkFits(preset, file.parent_path(), file));
   PILEUS_TRY(const fs::path before, setPairAside(file));
   // The picture first: of the two it is what may be the wrong one.
   auto written = writePicture(file, png);
@@ -219,7 +203,7 @@ Result<PresetChange> replacePreset(const fs::path& file, const Preset& preset, c
     removePair(before);
     return written.error();
   }
-  return PresetChange{"Replaced the preset " + preset.name, file, before, false, fileStamp(file)};
+  return PresetChange{"Replaced the preset " + preset.name, file, before, false, false, fileStamp(file)};
 }
 
 Result<PresetChange> describePreset(const fs::path& file, const std::string& name, const std::string& about,
@@ -282,7 +266,7 @@ const PresetEntry* findPreset(const std::vector<PresetEntry>& all, std::string_v
   };
   if (const auto* e = first([&](const PresetEntry& p) { return p.name == name; })) return e;
   if (const auto* e = first([&](const PresetEntry& p) { return p.file.stem() == name; })) return e;
-  return first([&](const PresetEntry& p) { return sameName(p.name, name); });
+  return first([&](const PresetEntry& p) { return lowered(p.name) == lowered(name); });
 }
 
 }  // namespace pileus::nodes

@@ -42,6 +42,7 @@ struct PresetChange {
   std::filesystem::path file;    ///< of the preset
   std::filesystem::path before;  ///< what was there, in `.deleted`; "" = nothing
   bool deleted = false;          ///< nothing is there now
+  bool undone = false;           ///< it was taken back
   Key stamp{};                   ///< of `file` when the change was done
 };
 

@@ -1,4 +1,5 @@
 #include "renderer/image/color_source.h"
+#include "renderer/base/text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,14 +11,8 @@ namespace OCIO = OCIO_NAMESPACE;
 namespace pileus::image {
 namespace {
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool namesAcesCg(const std::string& name) {
-  const std::string n = lower(name);
+  const std::string n = lowered(name);
   return n == "acescg" || n == "lin_ap1" || n == "aces - acescg" || n == "linear acescg" ||
          n == "acescg - linear" || n == "lin_acescg" || n == "utility - linear - ap1";
 }

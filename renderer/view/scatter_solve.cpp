@@ -74,11 +74,8 @@ void ScatterCache::keep(const Key& key, std::shared_ptr<const ScatterField> fiel
 }
 
 ScatterSolve::ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
-                           std::shared_ptr<KeptSuns> kept)
-    : scene_(std::move(scene)),
-      cache_(std::move(cache)),
-      sampled_(layerLights(*scene_), tintedApart(*scene_)) {
-  sampled_.keep(std::move(kept));
+                           SampledLights& sampled)
+    : scene_(std::move(scene)), cache_(std::move(cache)), sampled_(sampled) {
   emission_ = scene_->options.layer.kind != Kind::Light && emits(*scene_);
   key_ = keyOf(*scene_, emission_);
   if (cache_) field_ = cache_->find(key_);
@@ -91,10 +88,10 @@ Result<double> ScatterSolve::gather(const shadow::Gpu& gpu, double ms) {
   constexpr double kLights = 0.2;  // share of the work
   if (!lights_) {
     PILEUS_TRY(const double lit, sampled_.make(gpu, std::nullopt, ms));
-    gpuMs_ += sampled_.takeGpuMs();
     if (lit < 1) return kLights * lit;
     lights_.emplace(sampled_.lights(), scene_->volumes, scene_->solids, emission_);
   }
+  const Stopwatch work;
   double gathered = 0;  // of the lattice at hand
   while (cells_.size() < lattices_.size()) {
     if (!gather_)
@@ -104,6 +101,7 @@ Result<double> ScatterSolve::gather(const shadow::Gpu& gpu, double ms) {
     if (gathered >= 1) cells_.push_back(gather_->cells()), gather_ = nullptr, gathered = 0;
     if (clock.ms() >= ms) break;
   }
+  ms_ += work.ms();
   return kLights + (1 - kLights) * (double(cells_.size()) + gathered) / double(lattices_.size());
 }
 
@@ -123,10 +121,9 @@ Result<double> ScatterSolve::step(const shadow::Gpu& gpu, double ms) {
     return 1.0;
   }
   if (!job_) {
-    const Stopwatch clock;
     PILEUS_TRY(const double gathered, gather(gpu, ms));
-    ms_ += clock.ms();
     if (cells_.size() < lattices_.size()) return kGathering * gathered;
+    lights_.reset();
     job_ = looseJob<std::vector<transport::Solution>>(
         [cells = std::move(cells_), residual = scene_->options.scatter.residual](JobControl& control) {
           return solveAll(cells, residual, control);

@@ -28,16 +28,16 @@ class ScatterCache {
 
 class ScatterSolve {
  public:
-  /// `cache` may be null; `kept` as SampledLights has it.
+  /// `cache` may be null. `sampled`: the picture's lights, of which it makes the middles; outlives it.
   ScatterSolve(std::shared_ptr<const RenderScene> scene, std::shared_ptr<ScatterCache> cache,
-               std::shared_ptr<KeptSuns> kept = {});
+               SampledLights& sampled);
   /// Works for about `ms` milliseconds, or looks whether the job is done (with infinitely many: waits for
   /// it); 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
   /// Once step() said 1.
   const std::shared_ptr<const ScatterField>& field() const { return field_; }
   double takeGpuMs() { return std::exchange(gpuMs_, 0.0); }
-  double ms() const { return ms_; }  ///< that step() took, without the job
+  double ms() const { return ms_; }  ///< that step() took, without the lights and the job
 
  private:
   /// The lights, and the cells of all lattices: the fraction done.
@@ -45,7 +45,7 @@ class ScatterSolve {
   Result<void> finish(std::vector<transport::Solution> solutions);
   std::shared_ptr<const RenderScene> scene_;
   std::shared_ptr<ScatterCache> cache_;
-  SampledLights sampled_;  ///< of environments the middles
+  SampledLights& sampled_;
   std::optional<LightSet> lights_;
   Key key_;
   std::vector<transport::Lattice> lattices_;

@@ -72,7 +72,7 @@ Scattering VolumeRenderPass::scattering() const {
 
 Result<double> VolumeRenderPass::solve(const shadow::Gpu& gpu, double ms) {
   if (scattering() != Scattering::Grid) return 1.0;
-  if (!scatter_) scatter_ = std::make_unique<ScatterSolve>(scene_, scatterCache_, kept_);
+  if (!scatter_) scatter_ = std::make_unique<ScatterSolve>(scene_, scatterCache_, sampled_);
   return scatter_->step(gpu, ms);
 }
 

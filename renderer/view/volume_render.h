@@ -16,6 +16,8 @@ namespace pileus::view {
 class VolumeRenderPass {
  public:
   explicit VolumeRenderPass(RenderScene scene);
+  VolumeRenderPass(const VolumeRenderPass&) = delete;
+  VolumeRenderPass& operator=(const VolumeRenderPass&) = delete;
   VolumeRenderPass(const RenderOptions& options, const volume::InstanceList& volumes,
                    std::vector<shadow::ShadowedLight> lights)
       : VolumeRenderPass(RenderScene{options, volumes, std::move(lights), {}}) {}
@@ -30,7 +32,7 @@ class VolumeRenderPass {
   /// What the texels of regions still to come hold, stretched to the picture; before the first step.
   void beginWith(std::shared_ptr<const Picture> seed) { seed_ = std::move(seed); }
   /// The suns of pictures of one sample, where there are environments; before the first step.
-  void keepSuns(std::shared_ptr<KeptSuns> kept) { sampled_.keep(kept_ = std::move(kept)); }
+  void keepSuns(std::shared_ptr<KeptSuns> kept) { sampled_.keep(std::move(kept)); }
   /// Works for about `ms` milliseconds (at least one region, or one dispatch of it where it takes several, or
   /// one of a shadow map); the fraction done, 1 = finished.
   Result<double> step(const shadow::Gpu& gpu, double ms);
@@ -70,7 +72,6 @@ class VolumeRenderPass {
   std::optional<LightSet> lights_;  ///< of this sample; none: still to be made
   double lit_ = 0;                  ///< the fraction of that
   std::size_t part_ = 0;            ///< of the lights, in the region at the cursor
-  std::shared_ptr<KeptSuns> kept_;
   std::shared_ptr<Picture> picture_;
   std::shared_ptr<const Picture> seed_;
   CameraMarch march_;

@@ -1,4 +1,5 @@
 #include "renderer/volume/grid_guess.h"
+#include "renderer/base/text.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +13,12 @@ namespace pileus::volume {
 namespace {
 
 /// "Density[2]" -> "density", "vel.x" -> "vel".
-std::string plainName(std::string_view name) {
+std::string baseName(std::string_view name) {
   if (const auto bracket = name.rfind('['); bracket != std::string_view::npos && name.ends_with(']'))
     name = name.substr(0, bracket);
   for (const char* part : {".x", ".y", ".z", "_x", "_y", "_z"})
     if (name.size() > 2 && name.ends_with(part)) name.remove_suffix(2);
-  std::string out(name);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
-  return out;
+  return lowered(name);
 }
 
 bool isFog(const GridInfo& g) { return g.gridClass == "fog volume"; }
@@ -84,7 +83,7 @@ GridRole roleOfGrid(std::string_view name) {
       {"colour", GridRole::Color},
       {"shadow", GridRole::Shadow},
   };
-  const auto it = kRoles.find(plainName(name));
+  const auto it = kRoles.find(baseName(name));
   return it == kRoles.end() ? GridRole::Unknown : it->second;
 }
 

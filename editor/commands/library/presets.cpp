@@ -211,11 +211,10 @@ void pollPresets(Editor& editor) {
     return;
   }
   editor.modals.preset = false;
-  const std::string& label = (*change)->label;
-  if (label.starts_with("Undone: "))
-    editor.messages.info(label);
+  if ((*change)->undone)
+    editor.messages.info((*change)->label);
   else
-    editor.messages.offer(label, "Undo", "presets.undo");
+    editor.messages.offer((*change)->label, "Undo", "presets.undo");
 }
 
 }  // namespace pileus::editor

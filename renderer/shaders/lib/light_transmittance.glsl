@@ -97,8 +97,8 @@ Passage passage(int l, vec3 p, vec3 d, float ds) {
   return kSunPassage;
 }
 
-// Of light l at p: E [W/m^2] on a surface that faces it, past solids but not through the media, and what of it
-// these let through.
+// Of light l at p: E [W/m^2] on a surface that faces it, past solids but not through the media, and what of
+// it these let through.
 struct Arriving {
   vec3 towards, open;
   float through;

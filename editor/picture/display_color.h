@@ -1,8 +1,7 @@
 #pragma once
 // Scene-linear colours as the viewport shows them: through the display, view and look of the picture beside
 // them. Kept until one of these changes.
-#include <imgui.h>
-
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,19 +16,19 @@ class ColorConfig;
 
 namespace pileus::editor {
 
-struct Parameters;
 struct Shown;
 
 struct DisplayColors {
   std::weak_ptr<const image::ColorConfig> config;
-  std::string transform;                       ///< display, view and look
-  std::vector<std::pair<dvec3, ImU32>> known;  ///< of this transform
-  unsigned revision = 0;                       ///< changes with the transform
+  std::string transform;                               ///< display, view and look
+  std::vector<std::pair<dvec3, std::uint32_t>> known;  ///< of this transform
+  unsigned revision = 0;                               ///< changes with the transform
 };
 
 /// Follows the viewport's transform; once a frame before colours are asked for.
-void updateDisplayColors(const Shown& shown, Parameters& parameters);
-ImU32 displayColor(const Shown& shown, Parameters& parameters, const dvec3& linear);
+void updateDisplayColors(const Shown& shown, DisplayColors& colors);
+/// Red in the lowest byte, alpha 1.
+std::uint32_t displayColor(const Shown& shown, DisplayColors& colors, const dvec3& linear);
 /// Many at once, not kept: RGBA, in place.
 void toDisplay(const Shown& shown, std::span<vec4> colors);
 

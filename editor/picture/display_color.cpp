@@ -1,9 +1,9 @@
-#include "editor/parameters/display_color.h"
+#include "editor/picture/display_color.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
-#include "editor/parameters/parameters.h"
 #include "editor/picture/shown.h"
 
 namespace pileus::editor {
@@ -18,15 +18,11 @@ float encoded(float x) {
   return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
-ImU32 packed(const vec4& c) {
-  const vec3 v = glm::clamp(vec3(c), vec3(0), vec3(1));
-  return ImGui::ColorConvertFloat4ToU32({v.x, v.y, v.z, 1});
-}
+std::uint32_t packed(const vec4& c) { return glm::packUnorm4x8({vec3(c), 1}); }
 
 }  // namespace
 
-void updateDisplayColors(const Shown& shown, Parameters& parameters) {
-  DisplayColors& colors = parameters.colors;
+void updateDisplayColors(const Shown& shown, DisplayColors& colors) {
   const view::DisplaySettings& s = settingsOf(shown);
   std::string transform = s.display + '\n' + s.view + '\n' + s.look;
   if (colors.transform == transform && colors.config.lock() == shown.displayed.colors) return;
@@ -44,8 +40,8 @@ void toDisplay(const Shown& shown, std::span<vec4> colors) {
   for (vec4& c : colors) c = {encoded(c.x), encoded(c.y), encoded(c.z), 1};
 }
 
-ImU32 displayColor(const Shown& shown, Parameters& parameters, const dvec3& linear) {
-  auto& known = parameters.colors.known;
+std::uint32_t displayColor(const Shown& shown, DisplayColors& colors, const dvec3& linear) {
+  auto& known = colors.known;
   const auto it = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == linear; });
   if (it != known.end()) return it->second;
   if (known.size() >= kMostKnown) known.clear();
